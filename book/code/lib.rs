@@ -1,0 +1,1 @@
+//! Figures, examples and gates of the book *Light, Patch by Patch*.

@@ -1,0 +1,1 @@
+//! The labs of *Light, Patch by Patch*.

@@ -1,0 +1,110 @@
+//! Points, planes, frames and the one shape of the course: the convex planar polygon.
+//!
+//! ```text
+//! A n = ½ Σₖ vₖ × vₖ₊₁        area and unit normal (Newell), right-handed
+//! ```
+//!
+//! | type        | use it when                                             |
+//! |-------------|---------------------------------------------------------|
+//! | [`Polygon`] | a surface: checked once, convex and planar ever after   |
+//! | [`Plane`]   | something is clipped, or asked on which side it lies    |
+//! | [`Frame`]   | directions are given relative to a normal               |
+//! | [`Ray`]     | one point is asked what it sees in one direction        |
+//!
+//! **Not here:** curved shapes; they are tessellated before they arrive.
+//! Chapter *What radiosity assumes* (L01). Sources: Newell (in Sutherland et al. 1974);
+//! Sutherland & Hodgman 1974 (clipping).
+
+mod polygon;
+mod split;
+
+pub use polygon::{Polygon, PolygonError, clip};
+pub use split::split;
+
+use glam::DVec3;
+
+/// Three numbers, one for each colour channel; the unit is that of the quantity.
+pub type Rgb = DVec3;
+
+/// A half-line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where it starts, in scene units.
+    pub origin: DVec3,
+    /// Where it goes; of unit length.
+    pub direction: DVec3,
+}
+
+/// An oriented plane `n · x = offset`; its front is where `n` points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Unit normal.
+    pub normal: DVec3,
+    /// Signed distance of the plane from the origin, in scene units.
+    pub offset: f64,
+}
+
+impl Plane {
+    /// The plane through `point` with unit `normal`.
+    pub fn through(point: DVec3, normal: DVec3) -> Plane {
+        debug_assert!(normal.is_normalized(), "normal must have unit length: {normal}");
+        Plane { normal, offset: normal.dot(point) }
+    }
+
+    /// Signed distance of `x`, positive in front, in scene units.
+    pub fn height(&self, x: DVec3) -> f64 {
+        self.normal.dot(x) - self.offset
+    }
+
+    /// The same plane seen from behind.
+    pub fn flipped(&self) -> Plane {
+        Plane { normal: -self.normal, offset: -self.offset }
+    }
+}
+
+/// A right-handed orthonormal frame; `z` is the normal of the surface it stands on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// First tangent.
+    pub x: DVec3,
+    /// Second tangent.
+    pub y: DVec3,
+    /// Normal.
+    pub z: DVec3,
+}
+
+impl Frame {
+    /// A frame about the unit normal `z`; the tangents are chosen, the same ones each time.
+    pub fn about(z: DVec3) -> Frame {
+        debug_assert!(z.is_normalized(), "z must have unit length: {z}");
+        let (x, y) = z.any_orthonormal_pair();
+        Frame { x, y, z }
+    }
+
+    /// The frame about `z` whose `x` points as nearly as it can along `towards`.
+    ///
+    /// Falls back to [`Frame::about`] where `towards` is parallel to `z`.
+    pub fn towards(z: DVec3, towards: DVec3) -> Frame {
+        match towards.reject_from_normalized(z).try_normalize() {
+            Some(x) => Frame { x, y: z.cross(x), z },
+            None => Frame::about(z),
+        }
+    }
+
+    /// World direction of the local one.
+    pub fn world_from_local(&self, v: DVec3) -> DVec3 {
+        self.x * v.x + self.y * v.y + self.z * v.z
+    }
+
+    /// Local direction of the world's.
+    pub fn local_from_world(&self, v: DVec3) -> DVec3 {
+        DVec3::new(self.x.dot(v), self.y.dot(v), self.z.dot(v))
+    }
+}
+
+/// The smallest axis-parallel box that holds all `points`; `(∞, -∞)` for none.
+pub fn bounds(points: impl IntoIterator<Item = DVec3>) -> (DVec3, DVec3) {
+    points.into_iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(lo, hi), p| {
+        (lo.min(p), hi.max(p))
+    })
+}

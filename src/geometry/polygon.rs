@@ -1,0 +1,265 @@
+//! The convex planar polygon, checked on construction.
+
+use super::Plane;
+use glam::DVec3;
+use std::fmt;
+
+/// How far a vertex may lie off the plane, relative to the polygon's diameter.
+///
+/// Six decimals are what OBJ exporters write; a rectangle rounded so still counts as flat.
+const FLAT: f64 = 2e-6;
+
+/// A convex planar polygon; its front is where its vertices run counter-clockwise.
+///
+/// Checked once by [`Polygon::new`]; whatever holds a `Polygon` may rely on three or
+/// more finite vertices, a positive area, a unit normal, and convexity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Polygon {
+    vertices: Vec<DVec3>,
+    normal: DVec3,
+    area: f64,
+}
+
+/// Why some vertices are no [`Polygon`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PolygonError {
+    /// Fewer than three vertices are left once repeated ones are dropped.
+    TooFewVertices(usize),
+    /// The coordinate of vertex `index` is NaN or infinite.
+    NotFinite {
+        /// Which vertex, from 0.
+        index: usize,
+    },
+    /// The vertices span no area.
+    ZeroArea,
+    /// A vertex lies this far off the plane, in scene units.
+    NotPlanar(f64),
+    /// A corner turns the wrong way, or the outline runs round twice.
+    NotConvex,
+    /// Two edges cross.
+    SelfIntersecting,
+}
+
+impl fmt::Display for PolygonError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            PolygonError::TooFewVertices(n) => {
+                write!(f, "has {n} distinct vertices; a face needs at least 3")
+            }
+            PolygonError::NotFinite { index } => {
+                write!(f, "has a coordinate that is not finite, at its vertex {index}")
+            }
+            PolygonError::ZeroArea => write!(f, "has no area; remove it"),
+            PolygonError::NotPlanar(off) => {
+                write!(
+                    f,
+                    "is not planar: a vertex lies {off:.3e} off its plane; split it"
+                )
+            }
+            PolygonError::NotConvex => write!(f, "is not convex; split it"),
+            PolygonError::SelfIntersecting => {
+                write!(f, "crosses itself; reorder its vertices")
+            }
+        }
+    }
+}
+
+impl std::error::Error for PolygonError {}
+
+impl Polygon {
+    /// Checks `vertices` (counter-clockwise seen from the front) and makes a polygon.
+    ///
+    /// # Errors
+    /// As [`PolygonError`] says. Non-planar and non-convex outlines that may be repaired
+    /// go through [`super::split`].
+    pub fn new(vertices: Vec<DVec3>) -> Result<Polygon, PolygonError> {
+        if let Some(index) = vertices.iter().position(|v| !v.is_finite()) {
+            return Err(PolygonError::NotFinite { index });
+        }
+        let vertices = without_repeats(vertices);
+        if vertices.len() < 3 {
+            return Err(PolygonError::TooFewVertices(vertices.len()));
+        }
+        let size = diameter(&vertices);
+        let area_normal = newell(&vertices);
+        let area = area_normal.length();
+        if area.is_nan() || area <= 1e-14 * size * size {
+            return Err(PolygonError::ZeroArea);
+        }
+        let normal = area_normal / area;
+        let plane = Plane::through(mean(&vertices), normal);
+        let off = vertices.iter().map(|&v| plane.height(v).abs()).fold(0.0, f64::max);
+        if off > FLAT * size {
+            return Err(PolygonError::NotPlanar(off));
+        }
+        let polygon = Polygon { vertices, normal, area };
+        if polygon.is_convex() { Ok(polygon) } else { Err(PolygonError::NotConvex) }
+    }
+
+    /// A polygon from vertices that are known to be fit: pieces cut from a polygon.
+    ///
+    /// `None` when nothing of any area is left.
+    pub(crate) fn piece(vertices: Vec<DVec3>, normal: DVec3) -> Option<Polygon> {
+        let vertices = without_repeats(vertices);
+        if vertices.len() < 3 {
+            return None;
+        }
+        let area = newell(&vertices).dot(normal);
+        let size = diameter(&vertices);
+        (area > 1e-14 * size * size).then_some(Polygon { vertices, normal, area })
+    }
+
+    /// The corners, counter-clockwise seen from the front, in scene units.
+    pub fn vertices(&self) -> &[DVec3] {
+        &self.vertices
+    }
+
+    /// The edges, each as its two ends in order.
+    pub fn edges(&self) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
+        let n = self.vertices.len();
+        (0..n).map(move |k| (self.vertices[k], self.vertices[(k + 1) % n]))
+    }
+
+    /// Unit normal, on the front side.
+    pub fn normal(&self) -> DVec3 {
+        self.normal
+    }
+
+    /// Area of one side, in scene units squared; positive.
+    pub fn area(&self) -> f64 {
+        self.area
+    }
+
+    /// The plane it lies in, front as the polygon's.
+    pub fn plane(&self) -> Plane {
+        Plane::through(mean(&self.vertices), self.normal)
+    }
+
+    /// Centre of mass.
+    pub fn centroid(&self) -> DVec3 {
+        let a = self.vertices[0];
+        let mut moment = DVec3::ZERO;
+        let mut sum = 0.0;
+        for k in 1..self.vertices.len() - 1 {
+            let (b, c) = (self.vertices[k], self.vertices[k + 1]);
+            let twice = (b - a).cross(c - a).dot(self.normal);
+            moment += twice * ((b - a) + (c - a)) / 3.0;
+            sum += twice;
+        }
+        a + moment / sum
+    }
+
+    /// The largest distance between two corners, in scene units.
+    pub fn diameter(&self) -> f64 {
+        diameter(&self.vertices)
+    }
+
+    /// The same outline with front and back exchanged.
+    pub fn flipped(&self) -> Polygon {
+        let mut vertices = self.vertices.clone();
+        vertices.reverse();
+        Polygon { vertices, normal: -self.normal, area: self.area }
+    }
+
+    /// What of the polygon lies in front of `plane`; `None` when nothing does.
+    pub fn clipped(&self, plane: Plane) -> Option<Polygon> {
+        Polygon::piece(clip(&self.vertices, plane), self.normal)
+    }
+
+    /// The polygon less what `hole` (in the same plane) covers, as convex pieces.
+    pub fn without(&self, hole: &Polygon) -> Vec<Polygon> {
+        let mut pieces = Vec::new();
+        let mut rest = Some(self.clone());
+        for (a, b) in hole.edges() {
+            let Some(inside) = rest else { break };
+            let across = hole.normal.cross(b - a).normalize();
+            let edge = Plane::through(a, across);
+            pieces.extend(inside.clipped(edge.flipped()));
+            rest = inside.clipped(edge);
+        }
+        pieces
+    }
+
+    /// Does the point `p` of the polygon's plane lie inside, or within `margin` outside?
+    pub fn contains(&self, p: DVec3, margin: f64) -> bool {
+        self.edges().all(|(a, b)| {
+            let across = self.normal.cross(b - a);
+            across.dot(p - a) >= -margin * across.length()
+        })
+    }
+
+    fn is_convex(&self) -> bool {
+        let n = self.vertices.len();
+        let direction = |k: usize| {
+            (self.vertices[(k + 1) % n] - self.vertices[k]).normalize_or_zero()
+        };
+        let mut turned = 0.0;
+        for k in 0..n {
+            let (a, b) = (direction(k), direction((k + 1) % n));
+            let sine = a.cross(b).dot(self.normal);
+            if sine < -1e-7 {
+                return false;
+            }
+            turned += sine.atan2(a.dot(b));
+        }
+        turned < 1.5 * std::f64::consts::TAU // one turn, not two
+    }
+}
+
+/// Cuts `vertices` by `plane` and keeps the front (Sutherland & Hodgman 1974).
+///
+/// A vertex on the plane is kept. Returns an empty list when all lies behind.
+pub fn clip(vertices: &[DVec3], plane: Plane) -> Vec<DVec3> {
+    let n = vertices.len();
+    let mut kept = Vec::with_capacity(n + 1);
+    for k in 0..n {
+        let (a, b) = (vertices[k], vertices[(k + 1) % n]);
+        let (ha, hb) = (plane.height(a), plane.height(b));
+        if ha >= 0.0 {
+            kept.push(a);
+        }
+        if (ha > 0.0 && hb < 0.0) || (ha < 0.0 && hb > 0.0) {
+            // From the lower end up, so that both neighbours of a shared edge
+            // compute the very same point.
+            let (low, high, hl, hh) =
+                if ha < hb { (a, b, ha, hb) } else { (b, a, hb, ha) };
+            kept.push(low + (high - low) * (hl / (hl - hh)));
+        }
+    }
+    kept
+}
+
+/// Area times normal of an outline, `½ Σ vₖ × vₖ₊₁`, taken about the first vertex.
+pub(crate) fn newell(vertices: &[DVec3]) -> DVec3 {
+    let a = vertices[0];
+    let fan = |k: usize| (vertices[k] - a).cross(vertices[k + 1] - a);
+    0.5 * (1..vertices.len() - 1).map(fan).sum::<DVec3>()
+}
+
+/// Mean of the corners.
+pub(crate) fn mean(vertices: &[DVec3]) -> DVec3 {
+    vertices.iter().sum::<DVec3>() / vertices.len() as f64
+}
+
+/// The largest distance between two corners.
+pub(crate) fn diameter(vertices: &[DVec3]) -> f64 {
+    let pairs = vertices.iter().enumerate().flat_map(|(k, a)| {
+        vertices[k + 1..].iter().map(move |b| a.distance_squared(*b))
+    });
+    pairs.fold(0.0, f64::max).sqrt()
+}
+
+/// Drops a vertex that repeats the one before it, to within rounding.
+pub(crate) fn without_repeats(mut vertices: Vec<DVec3>) -> Vec<DVec3> {
+    if vertices.len() < 2 {
+        return vertices;
+    }
+    let near =
+        1e-14 * vertices.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
+    vertices.dedup_by(|b, a| a.distance(*b) <= near);
+    while vertices.len() > 1 && vertices[0].distance(*vertices.last().unwrap()) <= near
+    {
+        vertices.pop();
+    }
+    vertices
+}

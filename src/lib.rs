@@ -1,0 +1,27 @@
+//! Radiosity and two-pass rendering, patch by patch: the code of the course
+//! *Light, Patch by Patch*.
+//!
+//! The module list below is the dependency order: a module uses only those above it
+//! (`tests/architecture.rs` holds this).
+#![forbid(unsafe_code)]
+
+pub use glam;
+
+pub mod geometry;
+pub mod random;
+pub mod radiometry;
+pub mod material;
+pub mod scene;
+pub mod obj;
+pub mod mesh;
+pub mod raster;
+pub mod visibility;
+pub mod form_factor;
+pub mod solve;
+pub mod film;
+
+/// What a chapter's example needs, in one `use`.
+pub mod prelude {
+    pub use crate::geometry::{Frame, Plane, Polygon, Ray, Rgb};
+    pub use glam::{DVec2, DVec3, dvec2, dvec3};
+}

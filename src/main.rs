@@ -1,0 +1,2 @@
+//! The command `radiosity`.
+fn main() {}

@@ -1,0 +1,59 @@
+//! Random numbers that are the same on every run, machine and thread count.
+//!
+//! A [`Stream`] is named by what it samples - a seed and a few indices, such as
+//! "element 17, gather 1" - and not by when it was asked. Two threads that sample two
+//! elements never share a stream, so their number cannot change a result.
+//!
+//! ```text
+//! state ← state + φ;   mix(state)        SplitMix64 (Steele, Lea & Flood 2014)
+//! ```
+//!
+//! | method                | use it when                        | it fails when            |
+//! |-----------------------|------------------------------------|--------------------------|
+//! | [`Stream::next`]      | one number is needed               | many are: clumps         |
+//! | [`Stream::square`]    | `n` points of a square, stratified | `n` is 1: as `next`      |
+//!
+//! **Not here:** cryptography. Sources: Steele, Lea & Flood 2014;
+//! Roberts 2018 (the R2 sequence); Cranley & Patterson 1976 (random shifts).
+
+use glam::{DVec2, dvec2};
+
+/// A stream of uniform random numbers with a name.
+#[derive(Clone, Debug)]
+pub struct Stream {
+    state: u64,
+}
+
+const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+
+fn mix(mut z: u64) -> u64 {
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+impl Stream {
+    /// The stream of this `seed` and `name`; other names give unrelated streams.
+    pub fn named(seed: u64, name: &[u64]) -> Stream {
+        let state = name.iter().fold(mix(seed ^ GOLDEN), |s, &part| {
+            mix(s.wrapping_add(GOLDEN) ^ mix(part))
+        });
+        Stream { state }
+    }
+
+    /// The next number, in `[0, 1)`.
+    #[allow(clippy::should_implement_trait)] // it never ends; an Option would be noise
+    pub fn next(&mut self) -> f64 {
+        self.state = self.state.wrapping_add(GOLDEN);
+        (mix(self.state) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// `n` points that fill the unit square evenly: an R2 sequence with a random shift.
+    ///
+    /// Each point alone is uniform, so that a mean over them is unbiased.
+    pub fn square(&mut self, n: usize) -> impl Iterator<Item = DVec2> + use<> {
+        const STEP: DVec2 = dvec2(0.754_877_666_246_692_8, 0.569_840_290_998_053_2);
+        let shift = dvec2(self.next(), self.next());
+        (0..n).map(move |k| (shift + STEP * k as f64).fract())
+    }
+}

@@ -1,0 +1,1 @@
+//! Placeholder header, to be replaced by the module.

@@ -6,7 +6,7 @@
 //! **Not here:** splitting where the light asks for it. Chapters *The pipeline* (L08) and
 //! *Substructuring* (L11). Sources: Cohen, Greenberg, Immel & Brock 1986.
 
-use crate::geometry::{Polygon, Rgb};
+use crate::geometry::Polygon;
 use crate::scene::{FaceId, MaterialId};
 use glam::DVec3;
 use std::ops::Range;

@@ -1,0 +1,169 @@
+//! Contact lines: where a surface is touched or pierced by another one.
+//!
+//! An element that lies on both sides of a wall shows the mean of two unrelated lights: a
+//! *light leak* or a *shadow leak*. So elements are cut along contact lines, and vertices
+//! on a contact line belong to one side of it.
+
+use crate::geometry::{Plane, Polygon, bounds};
+use crate::scene::{MaterialId, Scene};
+use glam::DVec3;
+use std::collections::HashMap;
+
+/// Surfaces grouped by plane and material, each group with its contact lines.
+pub(super) struct Planes {
+    group_of: Vec<u32>,
+    contacts: Vec<Contacts>,
+}
+
+/// The contact lines in one plane.
+#[derive(Default)]
+pub(super) struct Contacts {
+    lines: Vec<Contact>,
+    /// What counts as touching, in scene units.
+    margin: f64,
+}
+
+struct Contact {
+    ends: [DVec3; 2],
+    /// Contains the line, at right angles to the surface.
+    wall: Plane,
+}
+
+impl Planes {
+    pub(super) fn of(scene: &Scene) -> Planes {
+        let margin = 1e-7 * scene.diagonal();
+        let mut groups: HashMap<(MaterialId, [i64; 4]), u32> = HashMap::new();
+        let mut planes: Vec<(Plane, Vec<&Polygon>)> = Vec::new();
+        let mut group_of = Vec::new();
+        for surface in &scene.surfaces {
+            let plane = surface.polygon.plane();
+            let [x, y, z] = (plane.normal * 1.2345e7).to_array();
+            let place = [x, y, z, plane.offset / (1.2345 * margin)];
+            let place = place.map(|coordinate| coordinate.round() as i64);
+            let group = *groups.entry((surface.material, place)).or_insert_with(|| {
+                planes.push((plane, Vec::new()));
+                planes.len() as u32 - 1
+            });
+            planes[group as usize].1.push(&surface.polygon);
+            group_of.push(group);
+        }
+        let others: Vec<(&Polygon, (DVec3, DVec3))> = scene
+            .surfaces
+            .iter()
+            .map(|s| (&s.polygon, bounds(s.polygon.vertices().iter().copied())))
+            .collect();
+        let contacts = planes.iter().map(|(plane, own)| {
+            let lines = contact_lines(*plane, own, &others, margin);
+            Contacts { lines, margin }
+        });
+        Planes { contacts: contacts.collect(), group_of }
+    }
+
+    /// The group of a surface of the scene, and its contact lines.
+    pub(super) fn of_surface(&self, id: usize) -> (u32, &Contacts) {
+        let group = self.group_of[id];
+        (group, &self.contacts[group as usize])
+    }
+}
+
+/// The lines along which `others` meet `plane` inside one of its `own` polygons.
+fn contact_lines(
+    plane: Plane,
+    own: &[&Polygon],
+    others: &[(&Polygon, (DVec3, DVec3))],
+    margin: f64,
+) -> Vec<Contact> {
+    let mut lines: Vec<Contact> = Vec::new();
+    let (low, high) = bounds(own.iter().flat_map(|p| p.vertices().iter().copied()));
+    for (other, (from, to)) in others {
+        let apart = from.cmpgt(high + margin).any() || to.cmplt(low - margin).any();
+        let Some(ends) = (!apart).then(|| meets(other, plane, margin)).flatten() else {
+            continue;
+        };
+        if own.iter().any(|p| overlap(p, ends, margin) > 10.0 * margin) {
+            let across = plane.normal.cross(ends[1] - ends[0]).normalize();
+            let wall = Plane::through(ends[0], across);
+            let known = |l: &Contact| {
+                ends.iter().all(|&e| l.wall.height(e).abs() <= margin)
+                    && l.ends
+                        .iter()
+                        .all(|e| ends.iter().any(|f| e.distance(*f) <= margin))
+            };
+            if !lines.iter().any(known) {
+                lines.push(Contact { ends, wall });
+            }
+        }
+    }
+    lines
+}
+
+/// The segment that `polygon` and `plane` have in common, unless it is a point, or all.
+fn meets(polygon: &Polygon, plane: Plane, margin: f64) -> Option<[DVec3; 2]> {
+    let mut points = Vec::new();
+    for (a, b) in polygon.edges() {
+        let (ha, hb) = (plane.height(a), plane.height(b));
+        if ha.abs() <= margin {
+            points.push(a);
+        } else if hb.abs() > margin && (ha > 0.0) != (hb > 0.0) {
+            points.push(a + (b - a) * (ha / (ha - hb)));
+        }
+    }
+    let coplanar = polygon.vertices().iter().all(|&v| plane.height(v).abs() <= margin);
+    match points[..] {
+        [a, b] if !coplanar && a.distance(b) > margin => Some([a, b]),
+        _ => None,
+    }
+}
+
+/// How much of a segment in the polygon's plane runs through its inside, in scene units.
+fn overlap(polygon: &Polygon, [a, b]: [DVec3; 2], margin: f64) -> f64 {
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for (p, q) in polygon.edges() {
+        let inward = polygon.normal().cross(q - p).normalize();
+        let edge = Plane::through(p, inward);
+        // Along the edge itself there is no inside: ask for a margin.
+        let (ha, hb) = (edge.height(a) - margin, edge.height(b) - margin);
+        match (ha >= 0.0, hb >= 0.0) {
+            (false, false) => return 0.0,
+            (false, true) => from = from.max(ha / (ha - hb)),
+            (true, false) => to = to.min(ha / (ha - hb)),
+            (true, true) => {}
+        }
+    }
+    (to - from).max(0.0) * a.distance(b)
+}
+
+impl Contacts {
+    /// The pieces of `cell` between the contact lines that run through it.
+    pub(super) fn cut(&self, cell: Polygon) -> Vec<Polygon> {
+        let mut pieces = vec![cell];
+        for line in &self.lines {
+            let through =
+                |p: &Polygon| overlap(p, line.ends, self.margin) > self.margin;
+            pieces = pieces
+                .into_iter()
+                .flat_map(|piece| {
+                    if through(&piece) {
+                        let halves = [line.wall, line.wall.flipped()];
+                        halves.into_iter().filter_map(|w| piece.clipped(w)).collect()
+                    } else {
+                        vec![piece]
+                    }
+                })
+                .collect();
+        }
+        pieces
+    }
+
+    /// For a corner `at` on contact lines: on which side of each the element with this
+    /// `middle` lies.
+    pub(super) fn sides(&self, at: DVec3, middle: DVec3) -> Vec<(u32, bool)> {
+        let on = |line: &Contact| {
+            let [a, b] = line.ends;
+            let along = ((at - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);
+            a.lerp(b, along).distance(at) <= self.margin
+        };
+        let lines = (0u32..).zip(&self.lines).filter(|(_, line)| on(line));
+        lines.map(|(k, line)| (k, line.wall.height(middle) > 0.0)).collect()
+    }
+}

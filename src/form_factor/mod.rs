@@ -5,6 +5,8 @@
 //! A_i F_ij = A_j F_ji (reciprocity)      Σ_j F_ij = 1 (closure, in a closed room)
 //! ```
 
+pub mod hemicube;
+
 use crate::mesh::ElementId;
 
 /// One way to compute form factors: the place where methods are exchanged under a solver.

@@ -19,7 +19,7 @@ mod polygon;
 mod split;
 
 pub use polygon::{Polygon, PolygonError, clip};
-pub use split::split;
+pub use split::{MAX_CORNERS, split};
 
 use glam::DVec3;
 

@@ -25,6 +25,8 @@ pub struct Polygon {
 pub enum PolygonError {
     /// Fewer than three vertices are left once repeated ones are dropped.
     TooFewVertices(usize),
+    /// More corners than [`super::split`] takes.
+    TooManyVertices(usize),
     /// The coordinate of vertex `index` is NaN or infinite.
     NotFinite {
         /// Which vertex, from 0.
@@ -46,6 +48,10 @@ impl fmt::Display for PolygonError {
             PolygonError::TooFewVertices(n) => {
                 write!(f, "has {n} distinct vertices; a face needs at least 3")
             }
+            PolygonError::TooManyVertices(n) => {
+                let most = super::MAX_CORNERS;
+                write!(f, "has {n} corners; at most {most} are handled: divide it")
+            }
             PolygonError::NotFinite { index } => {
                 write!(f, "has a coordinate that is not finite, at its vertex {index}")
             }
@@ -58,7 +64,7 @@ impl fmt::Display for PolygonError {
             }
             PolygonError::NotConvex => write!(f, "is not convex; split it"),
             PolygonError::SelfIntersecting => {
-                write!(f, "crosses itself; reorder its vertices")
+                write!(f, "crosses or touches itself; reorder its vertices")
             }
         }
     }

@@ -4,12 +4,23 @@
 //! but a face that is not convex, not planar, or partly covered by a smaller coplanar one
 //! becomes several. What reports per face - the CSV of `solve`, the matrix - sums them up.
 //!
+//! | made by             | from                                                |
+//! |---------------------|-----------------------------------------------------|
+//! | [`Scene::assemble`] | faces and materials: splits, and settles overlaps   |
+//! | [`built_in`]        | a name; [`builtins`] lists them                     |
+//! | [`crate::obj`]      | a file                                              |
+//!
 //! **Not here:** subdivision into patches and elements ([`crate::mesh`]); reading files
 //! ([`crate::obj`]). Chapter *The pipeline* (L08).
 
+mod assemble;
 mod builtin;
+mod camera;
+mod overlap;
 
+pub use assemble::{FaceError, Warning};
 pub use builtin::{BuiltIn, built_in, builtins};
+pub use camera::Camera;
 
 use crate::geometry::{Polygon, bounds};
 use crate::material::Material;
@@ -23,6 +34,15 @@ pub struct FaceId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MaterialId(pub u32);
 
+/// One `f` of an OBJ file, as it stands there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Face {
+    /// Its corners, counter-clockwise seen from the front, in scene units.
+    pub outline: Vec<DVec3>,
+    /// What it is made of.
+    pub material: MaterialId,
+}
+
 /// A convex planar piece of a face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
@@ -34,30 +54,18 @@ pub struct Surface {
     pub face: FaceId,
 }
 
-/// From where, and how, the scene is seen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Camera {
-    /// Position, in scene units.
-    pub eye: DVec3,
-    /// A point in the middle of the picture.
-    pub target: DVec3,
-    /// The world's up.
-    pub up: DVec3,
-    /// Vertical field of view, in degrees, in `(0, 180)`.
-    pub fov: f64,
-}
-
 /// Surfaces, materials, a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Its name: that of the built-in scene or of the file.
     pub name: String,
-    /// All pieces of all faces, in order of faces.
+    /// All faces as they were given, indexed by [`FaceId`].
+    pub faces: Vec<Face>,
+    /// All pieces of all faces, in order of faces. No two of them that look the same way
+    /// overlap. A face that others cover wholly has none.
     pub surfaces: Vec<Surface>,
-    /// All materials.
+    /// All materials, indexed by [`MaterialId`].
     pub materials: Vec<Material>,
-    /// How many faces the OBJ file has.
-    pub faces: usize,
     /// A view that shows the scene.
     pub camera: Camera,
 }
@@ -66,6 +74,16 @@ impl Scene {
     /// The material of `surface`.
     pub fn material(&self, surface: &Surface) -> &Material {
         &self.materials[surface.material.0 as usize]
+    }
+
+    /// Area of one side of each face, less what smaller faces cover; in scene units
+    /// squared.
+    pub fn face_areas(&self) -> Vec<f64> {
+        let mut areas = vec![0.0; self.faces.len()];
+        for surface in &self.surfaces {
+            areas[surface.face.0 as usize] += surface.polygon.area();
+        }
+        areas
     }
 
     /// The box that holds all surfaces.

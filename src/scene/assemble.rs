@@ -1,0 +1,124 @@
+//! From faces to surfaces: splits what is not convex or not planar, settles overlaps.
+
+use super::{Camera, Face, FaceId, Scene, Surface, overlap};
+use crate::geometry::{PolygonError, split};
+use crate::material::Material;
+use std::fmt;
+
+/// What was repaired on the way from faces to surfaces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Warning {
+    /// A face was not convex or not planar, and is several surfaces now.
+    Split {
+        /// Which face.
+        face: FaceId,
+        /// How many surfaces it became.
+        pieces: usize,
+        /// What was wrong with it.
+        reason: PolygonError,
+    },
+    /// Two coplanar faces that look the same way overlapped; the smaller one won.
+    Covered {
+        /// The face that lost surface.
+        face: FaceId,
+        /// The smaller face, or of two equal ones the earlier.
+        by: FaceId,
+        /// How much was taken away, in scene units squared.
+        area: f64,
+    },
+}
+
+impl Warning {
+    /// The face that was changed.
+    pub fn face(&self) -> FaceId {
+        match *self {
+            Warning::Split { face, .. } | Warning::Covered { face, .. } => face,
+        }
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Warning::Split { face, pieces, reason } => {
+                let what = match reason {
+                    PolygonError::NotPlanar(off) => {
+                        format!("not planar (off by {off:.3e})")
+                    }
+                    _ => "not convex".into(),
+                };
+                write!(
+                    f,
+                    "face {} is {what}; it was split into {pieces} pieces",
+                    face.0
+                )
+            }
+            Warning::Covered { face, by, area } => write!(
+                f,
+                "face {} lies in the plane of the smaller face {} and looks the same way; \
+                 the part of it under that face (area {area:.3e}) was cut out",
+                face.0, by.0
+            ),
+        }
+    }
+}
+
+/// A face that is no surface and cannot be made one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FaceError {
+    /// Which face.
+    pub face: FaceId,
+    /// What is wrong with it.
+    pub reason: PolygonError,
+}
+
+impl fmt::Display for FaceError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "face {} {}", self.face.0, self.reason)
+    }
+}
+
+impl std::error::Error for FaceError {}
+
+impl Scene {
+    /// Makes a scene of faces.
+    ///
+    /// Faces that are not convex or not planar are [split](split()). Where coplanar faces
+    /// that look the same way overlap by more than rounding, the smaller one wins (the
+    /// earlier of two equal ones): the other loses the part beneath, so no two surfaces
+    /// fight for the same points. It is then cut into convex pieces around the winner; a
+    /// face with nothing left still counts as a face, of area 0. Faces back to back and
+    /// faces that share an edge do not overlap. Without a `camera` it gets
+    /// [`Camera::showing`] its surfaces, the y-axis up.
+    ///
+    /// # Errors
+    /// A face that [`split()`] refuses: no area, edges that cross, coordinates that are
+    /// not finite.
+    pub fn assemble(
+        name: impl Into<String>,
+        materials: Vec<Material>,
+        faces: Vec<Face>,
+        camera: Option<Camera>,
+    ) -> Result<(Scene, Vec<Warning>), FaceError> {
+        let mut warnings = Vec::new();
+        let mut surfaces = Vec::with_capacity(faces.len());
+        for (id, Face { outline, material }) in faces.iter().enumerate() {
+            debug_assert!((material.0 as usize) < materials.len(), "no such material");
+            let face = FaceId(id as u32);
+            let polygons =
+                split(outline).map_err(|reason| FaceError { face, reason })?;
+            if let (pieces @ 2.., Err(reason)) =
+                (polygons.len(), crate::geometry::Polygon::new(outline.clone()))
+            {
+                warnings.push(Warning::Split { face, pieces, reason });
+            }
+            let surface = |polygon| Surface { polygon, material: *material, face };
+            surfaces.extend(polygons.into_iter().map(surface));
+        }
+        let surfaces = overlap::settled(surfaces, faces.len(), &mut warnings);
+        let camera =
+            camera.unwrap_or_else(|| Camera::showing(&surfaces, glam::DVec3::Y));
+        let scene = Scene { name: name.into(), faces, surfaces, materials, camera };
+        Ok((scene, warnings))
+    }
+}

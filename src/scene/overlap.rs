@@ -1,0 +1,130 @@
+//! Coplanar faces that look the same way and overlap: the smaller one wins.
+//!
+//! A poster drawn on a wall, a lamp in the plane of the ceiling. Both would claim the same
+//! points, and rounding would decide pixel by pixel (z-fighting). Candidates are found by
+//! a sweep along the longest side of the scene, so that large scenes stay cheap.
+
+use super::{FaceId, Surface, Warning};
+use crate::geometry::{Plane, Polygon, bounds};
+use glam::DVec3;
+
+/// Distances below this share of the scene's diagonal are rounding: OBJ exporters write
+/// six decimals, which in a room of 5 m is 1e-7 of it.
+const ROUNDING: f64 = 1e-6;
+
+/// The surfaces with all overlaps cut out of the larger faces, in order of faces.
+pub(super) fn settled(
+    surfaces: Vec<Surface>,
+    faces: usize,
+    warnings: &mut Vec<Warning>,
+) -> Vec<Surface> {
+    let pairs = overlapping(&surfaces);
+    if pairs.is_empty() {
+        return surfaces;
+    }
+    // A rank for each face, the smallest first. Areas are compared as f32, so that equal
+    // faces with corners in another order are still equal, and the earlier one wins.
+    let mut areas = vec![0.0; faces];
+    for s in &surfaces {
+        areas[s.face.0 as usize] += s.polygon.area();
+    }
+    let rank = |s: &Surface| (areas[s.face.0 as usize] as f32, s.face.0);
+
+    let mut winners = vec![Vec::new(); surfaces.len()];
+    for (i, j) in pairs {
+        let first_wins = rank(&surfaces[i]) < rank(&surfaces[j]);
+        let (winner, loser) = if first_wins { (i, j) } else { (j, i) };
+        winners[loser].push(winner);
+    }
+    let tolerance = tolerance(&surfaces);
+    let mut lost: Vec<(FaceId, FaceId, f64)> = Vec::new();
+    let mut left = Vec::with_capacity(surfaces.len());
+    for (surface, mut winners) in surfaces.iter().zip(winners) {
+        winners.sort_unstable();
+        let mut pieces = vec![surface.polygon.clone()];
+        for winner in winners.iter().map(|&w| &surfaces[w]) {
+            let before: f64 = pieces.iter().map(Polygon::area).sum();
+            pieces = pieces
+                .into_iter()
+                .flat_map(|piece| cut(piece, &winner.polygon, tolerance))
+                .collect();
+            let taken = before - pieces.iter().map(Polygon::area).sum::<f64>();
+            match lost.iter_mut().rfind(|l| (l.0, l.1) == (surface.face, winner.face)) {
+                Some(entry) => entry.2 += taken,
+                None => lost.push((surface.face, winner.face, taken)),
+            }
+        }
+        let piece = |polygon| Surface { polygon, ..surface.clone() };
+        left.extend(pieces.into_iter().map(piece));
+    }
+    warnings.extend(lost.into_iter().map(|(face, by, area)| Warning::Covered {
+        face,
+        by,
+        area,
+    }));
+    left
+}
+
+/// Pairs of surfaces of different faces that overlap in one plane, front to front.
+fn overlapping(surfaces: &[Surface]) -> Vec<(usize, usize)> {
+    let boxes: Vec<(DVec3, DVec3)> =
+        surfaces.iter().map(|s| bounds(s.polygon.vertices().iter().copied())).collect();
+    let tolerance = tolerance(surfaces);
+    let (low, high) = bounds(boxes.iter().flat_map(|b| [b.0, b.1]));
+    let axis = (high - low).max_position();
+    let mut order: Vec<usize> = (0..surfaces.len()).collect();
+    order.sort_by(|&i, &j| boxes[i].0[axis].total_cmp(&boxes[j].0[axis]));
+
+    let mut pairs = Vec::new();
+    for (at, &i) in order.iter().enumerate() {
+        for &j in &order[at + 1..] {
+            if boxes[j].0[axis] > boxes[i].1[axis] {
+                break; // and so do all that follow
+            }
+            let (a, b) = (&surfaces[i], &surfaces[j]);
+            let apart = boxes[i].0.cmpgt(boxes[j].1 + tolerance).any()
+                || boxes[j].0.cmpgt(boxes[i].1 + tolerance).any();
+            if !apart && a.face != b.face && overlap(&a.polygon, &b.polygon, tolerance)
+            {
+                pairs.push((i, j));
+            }
+        }
+    }
+    pairs
+}
+
+/// What counts as rounding, in scene units.
+fn tolerance(surfaces: &[Surface]) -> f64 {
+    let corners = surfaces.iter().flat_map(|s| s.polygon.vertices().iter().copied());
+    let (low, high) = bounds(corners);
+    ROUNDING * low.distance(high)
+}
+
+/// Do the two lie in one plane, look the same way, and share more than an edge?
+fn overlap(a: &Polygon, b: &Polygon, tolerance: f64) -> bool {
+    let in_plane_of = |a: &Polygon, b: &Polygon| {
+        b.vertices().iter().all(|&v| a.plane().height(v).abs() <= tolerance)
+    };
+    a.normal().dot(b.normal()) > 0.999
+        && (in_plane_of(a, b) || in_plane_of(b, a))
+        && common(a, b, tolerance).is_some()
+}
+
+/// What two coplanar polygons have in common, if it is wider than rounding.
+fn common(a: &Polygon, b: &Polygon, tolerance: f64) -> Option<Polygon> {
+    let inwards =
+        |(p, q): (DVec3, DVec3)| Plane::through(p, b.normal().cross(q - p).normalize());
+    let both =
+        b.edges().try_fold(a.clone(), |rest, edge| rest.clipped(inwards(edge)))?;
+    (both.area() > tolerance * both.diameter()).then_some(both)
+}
+
+/// `piece` less `hole`, untouched where the two do not overlap.
+fn cut(piece: Polygon, hole: &Polygon, tolerance: f64) -> Vec<Polygon> {
+    if common(&piece, hole, tolerance).is_none() {
+        return vec![piece];
+    }
+    // A rim thinner than rounding is no surface.
+    let sound = |p: &Polygon| p.area() > 1e-3 * tolerance * p.diameter();
+    piece.without(hole).into_iter().filter(sound).collect()
+}

@@ -174,12 +174,11 @@ impl Visibility {
     fn split(&mut self, range: Range<usize>) -> usize {
         let own = &mut self.triangles[range];
         let (low, high) = bounds(own.iter().map(Triangle::middle));
-        let axis =
-            (high - low)
-                .to_array()
-                .iter()
-                .enumerate()
-                .fold(0, |best, (k, &x)| if x > (high - low)[best] { k } else { best });
+        let axis = (high - low)
+            .to_array()
+            .iter()
+            .enumerate()
+            .fold(0, |best, (k, &x)| if x > (high - low)[best] { k } else { best });
         let scale = BINS as f64 / (high - low)[axis];
         let bin = |t: &Triangle| {
             (((t.middle()[axis] - low[axis]) * scale) as usize).min(BINS - 1)

@@ -8,7 +8,7 @@ use radiosity::material::{Coefficients, Material};
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::random::Stream;
 use radiosity::raster::{ItemBuffer, Seen};
-use radiosity::scene::{Camera, FaceId, MaterialId, Scene, Surface};
+use radiosity::scene::{MaterialId, Scene};
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 
@@ -16,18 +16,13 @@ use std::f64::consts::{PI, TAU};
 const CENTRE_TO_SQUARE: f64 = 0.239_456_470_460_774;
 
 fn mesh_of(polygons: Vec<Polygon>, max_edge: f64) -> Mesh {
-    let surface = |(k, polygon)| Surface {
-        polygon,
+    let face = |polygon: &Polygon| radiosity::scene::Face {
+        outline: polygon.vertices().to_vec(),
         material: MaterialId(0),
-        face: FaceId(k as u32),
     };
-    let scene = Scene {
-        name: "test".into(),
-        faces: polygons.len(),
-        surfaces: polygons.into_iter().enumerate().map(surface).collect(),
-        materials: vec![Material::new("grey", Coefficients::default()).unwrap()],
-        camera: Camera { eye: DVec3::Z, target: DVec3::ZERO, up: DVec3::Y, fov: 40.0 },
-    };
+    let grey = Material::new("grey", Coefficients::default()).unwrap();
+    let faces = polygons.iter().map(face).collect();
+    let scene = Scene::assemble("test", vec![grey], faces, None).unwrap().0;
     Mesh::uniform(&scene, max_edge)
 }
 

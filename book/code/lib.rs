@@ -1,1 +1,33 @@
 //! Figures, examples and gates of the book *Light, Patch by Patch*.
+//!
+//! | module          | holds                                                        |
+//! |-----------------|--------------------------------------------------------------|
+//! | [`source`]      | gates over the Markdown: includes, fences, sections          |
+//! | [`html`]        | gates over the built pages: links, ids, nothing from outside |
+//! | [`lecture_map`] | which page, figure, test and lab stands for which row        |
+//! | [`generated`]   | the files of `book/src` that a program writes                |
+//!
+//! `cargo test -p book` runs the gates over the sources and every example of every page;
+//! `cargo run -p book --bin check -- book/book` runs those over the built book.
+#![forbid(unsafe_code)]
+
+pub mod generated;
+pub mod html;
+pub mod lecture_map;
+pub mod source;
+
+/// Every page of the book, so that `cargo test` runs its examples.
+#[cfg(doctest)]
+mod pages {
+    macro_rules! pages {
+        ($($name:ident: $page:literal,)*) => {
+            $(#[doc = include_str!(concat!("../src/", $page))] mod $name {})*
+        };
+    }
+    pages! {
+        index: "index.md",
+        notation: "notation.md",
+        bibliography: "bibliography.md",
+        lecture_map: "lecture-map.md",
+    }
+}

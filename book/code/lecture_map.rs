@@ -1,0 +1,184 @@
+//! The lecture map: which page, figure, test and lab stands for which row of the lecture.
+//!
+//! [`ROWS`] is the data; [`page`] writes it as the book's appendix, and
+//! `tests/book.rs` holds every claim in it against the files.
+
+/// One row of the lecture.
+pub struct Row {
+    /// What the lecture treats there.
+    pub topic: &'static str,
+    /// The chapter's title in `SUMMARY.md`.
+    pub title: &'static str,
+    /// Does the lecture set a lab here?
+    pub lab: bool,
+    /// What there is of it.
+    pub state: State,
+}
+
+/// How far a row has come.
+pub enum State {
+    /// The chapter is yet to be written.
+    Planned,
+    /// Written, drawn and tested.
+    Done(Written),
+}
+
+/// Where the parts of a written row are, as paths from the repository's root, the pages
+/// and pictures as paths from `book/src`.
+pub struct Written {
+    /// The chapter.
+    pub page: &'static str,
+    /// The module that does what the chapter says.
+    pub module: &'static str,
+    /// A figure of the chapter, made by the code.
+    pub figure: &'static str,
+    /// A test of the method: file and function.
+    pub test: (&'static str, &'static str),
+    /// The lab's brief, where there is one.
+    pub lab: Option<&'static str>,
+}
+
+const fn planned(topic: &'static str, title: &'static str, lab: bool) -> Row {
+    Row { topic, title, lab, state: State::Planned }
+}
+
+/// The rows of the lecture in order; row `k` of the list is chapter `k + 1`.
+pub const ROWS: [Row; 23] = [
+    planned(
+        "what radiosity assumes: diffuse surfaces, a closed scene, no medium",
+        "What radiosity assumes",
+        false,
+    ),
+    planned("solid angle", "Solid angle", true),
+    planned(
+        "radiometry: flux, irradiance, radiosity, radiance, and how they convert",
+        "Radiometry",
+        true,
+    ),
+    planned("BRDF", "How surfaces scatter: the BRDF", true),
+    planned(
+        "albedo (reflectance); energy conservation",
+        "Albedo and the conservation of energy",
+        true,
+    ),
+    planned("the radiosity equation", "The radiosity equation", true),
+    planned(
+        "the form factor: meaning, computation, reciprocity and closure",
+        "Form factors",
+        true,
+    ),
+    planned(
+        "the pipeline: elements, factors, system, picture; independent of the view",
+        "The pipeline",
+        false,
+    ),
+    planned(
+        "the final view by a z-buffer; a walk through the solved scene",
+        "The final view",
+        false,
+    ),
+    planned(
+        "hemicube: render the scene onto half a cube, ids instead of colours",
+        "The hemicube",
+        true,
+    ),
+    planned(
+        "substructuring: split near lights and at shadow boundaries",
+        "Substructuring: where to split",
+        true,
+    ),
+    planned(
+        "substructuring: factors from elements to patches; cost O(mn)",
+        "Substructuring: patches and elements",
+        true,
+    ),
+    planned(
+        "progressive solution: shoot from the brightest element",
+        "Progressive refinement",
+        true,
+    ),
+    planned(
+        "optimisation: iterate over emitting elements only",
+        "Only what still shines",
+        false,
+    ),
+    planned(
+        "kinds of light transport: diffuse and specular, in every order",
+        "Kinds of light transport",
+        false,
+    ),
+    planned(
+        "specular radiosity: the full BRDF in place of the albedo",
+        "Specular radiosity",
+        false,
+    ),
+    planned(
+        "two-pass, pass 1: translucent surfaces and the window form factor",
+        "Windows",
+        true,
+    ),
+    planned("two-pass, pass 1: mirrors and the virtual mirror world", "Mirrors", true),
+    planned(
+        "pass 2: ray tracing with reflection, refraction and diffuse light",
+        "The second pass: ray tracing",
+        true,
+    ),
+    planned(
+        "pass 2: diffuse light into specular surfaces, by a cone",
+        "The second pass: the cone",
+        true,
+    ),
+    planned(
+        "image-based light: rays that leave take the colour of a sky sphere",
+        "The sky: image-based light",
+        true,
+    ),
+    planned(
+        "comparison pictures: radiosity, ray tracing, two-pass",
+        "One scene, four methods",
+        false,
+    ),
+    planned(
+        "the students' virtual world: texture, Bézier or NURBS, picking",
+        "A virtual world of your own",
+        true,
+    ),
+];
+
+/// The appendix, as Markdown.
+pub fn page() -> String {
+    let done = ROWS.iter().filter(|row| matches!(row.state, State::Done(_))).count();
+    let mut text = format!(
+        "# Lecture map\n\n<!-- Written by `cargo run -p book --bin generate`. -->\n\n\
+         The course follows one university lecture, row by row. **{done} of {} rows** \
+         are written; the others say so.\n\n\
+         | row | the lecture's topic | chapter | code | figure | test | lab |\n\
+         |---|---|---|---|---|---|---|\n",
+        ROWS.len()
+    );
+    for (index, row) in ROWS.iter().enumerate() {
+        text.push_str(&line(index + 1, row));
+    }
+    text
+}
+
+fn line(number: usize, row: &Row) -> String {
+    let lab = match (&row.state, row.lab) {
+        (State::Done(Written { lab: Some(page), .. }), _) => format!("[brief]({page})"),
+        (_, true) => "not written".into(),
+        (_, false) => "—".into(),
+    };
+    let start = format!("| L{number:02} | {} |", row.topic);
+    match &row.state {
+        State::Planned => {
+            format!("{start} *{}*, not written | | | | {lab} |\n", row.title)
+        }
+        State::Done(Written { page, module, figure, test: (file, name), .. }) => {
+            format!(
+                "{start} [{}]({page}) | `{module}` | [picture]({figure}) | \
+                 `{file}`: `{name}` | {lab} |\n",
+                row.title
+            )
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! The gates over the book's sources: nothing missing, nothing stale, nothing untested.
+
+use book::generated;
+use book::lecture_map::{ROWS, State};
+use book::source::{self, Entry, Fence};
+use std::fs;
+use std::path::PathBuf;
+
+/// How many examples the pages run. Raise it with each new one; it never falls.
+const EXAMPLES: usize = 1;
+
+fn src(page: &str) -> PathBuf {
+    generated::root().join("src").join(page)
+}
+
+fn read(page: &str) -> String {
+    fs::read_to_string(src(page)).unwrap_or_else(|error| panic!("{page}: {error}"))
+}
+
+fn entries() -> Vec<Entry> {
+    source::summary(&read("SUMMARY.md"))
+}
+
+fn pages() -> Vec<String> {
+    entries().into_iter().filter_map(|entry| entry.page).collect()
+}
+
+fn all_fit(faults: Vec<String>) {
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+#[test]
+fn every_page_is_fit_to_print() {
+    let faults_of = |page: String| {
+        let folder = src(&page).parent().unwrap().to_path_buf();
+        let faults = source::faults(&folder, &read(&page));
+        faults.into_iter().map(move |fault| format!("{page}: {fault}"))
+    };
+    all_fit(pages().into_iter().flat_map(faults_of).collect());
+}
+
+#[test]
+fn every_page_is_run_by_cargo_test() {
+    let lib = fs::read_to_string(generated::root().join("code/lib.rs")).unwrap();
+    let missing = pages().into_iter().filter(|p| !lib.contains(&format!(": \"{p}\",")));
+    all_fit(missing.map(|p| format!("{p} is not in `pages!` of lib.rs")).collect());
+}
+
+#[test]
+fn no_example_is_lost() {
+    let runs = |page: &String| {
+        source::fences(&read(page)).iter().filter(|fence| Fence::runs(fence)).count()
+    };
+    let count: usize = pages().iter().map(runs).sum();
+    assert!(count >= EXAMPLES, "{count} examples run, {EXAMPLES} did before");
+}
+
+#[test]
+fn generated_files_are_fresh() {
+    let stale = generated::files()
+        .into_iter()
+        .filter(|(path, text)| fs::read_to_string(path).ok().as_ref() != Some(text));
+    let say = |(path, _): (PathBuf, _)| {
+        format!("{} is stale: cargo run -p book --bin generate", path.display())
+    };
+    all_fit(stale.map(say).collect());
+}
+
+#[test]
+fn the_summary_follows_the_lecture() {
+    let entries = entries();
+    let mut chapters =
+        entries.iter().filter(|entry| ROWS.iter().any(|row| row.title == entry.title));
+    for row in &ROWS {
+        let entry = chapters.next().unwrap_or_else(|| panic!("{}: missing", row.title));
+        assert_eq!(entry.title, row.title, "chapters are not in the lecture's order");
+        let page = match &row.state {
+            State::Planned => None,
+            State::Done(written) => Some(written.page),
+        };
+        assert_eq!(entry.page.as_deref(), page, "{}: draft or written?", row.title);
+    }
+}
+
+#[test]
+fn a_row_marked_done_has_page_figure_and_test() {
+    let repository = generated::root().parent().unwrap();
+    let mut faults = Vec::new();
+    for row in &ROWS {
+        let State::Done(written) = &row.state else { continue };
+        let text = read(written.page);
+        let chapter = source::chapter_faults(&text);
+        faults.extend(chapter.into_iter().map(|f| format!("{}: {f}", written.page)));
+        if !src(written.figure).is_file() || !text.contains(written.figure) {
+            faults.push(format!("{}: its page does not show it", written.figure));
+        }
+        if !repository.join(written.module).exists() {
+            faults.push(format!("{}: no such module", written.module));
+        }
+        let (file, name) = written.test;
+        let test = fs::read_to_string(repository.join(file)).unwrap_or_default();
+        if !test.contains(&format!("fn {name}(")) {
+            faults.push(format!("{file}: no test `{name}`"));
+        }
+        if let Some(lab) = written.lab
+            && !(row.lab && src(lab).is_file() && text.contains(lab))
+        {
+            faults.push(format!("{lab}: not there, or the chapter does not link it"));
+        }
+    }
+    all_fit(faults);
+}

@@ -21,6 +21,9 @@
 
 mod contact;
 mod grid;
+mod interpolate;
+
+pub use interpolate::wachspress;
 
 use crate::geometry::{Polygon, Rgb};
 use crate::scene::{FaceId, MaterialId, Scene};

@@ -55,8 +55,8 @@ impl fmt::Display for Warning {
             }
             Warning::Covered { face, by, area } => write!(
                 f,
-                "face {} lies in the plane of the smaller face {} and looks the same way; \
-                 the part of it under that face (area {area:.3e}) was cut out",
+                "face {} overlaps the smaller face {} in one plane, both looking the same \
+                 way; the part beneath (area {area:.6}) was cut out of it",
                 face.0, by.0
             ),
         }

@@ -1,1 +1,0 @@
-//! Placeholder header, to be replaced by the module.

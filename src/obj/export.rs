@@ -1,0 +1,115 @@
+//! A scene written as OBJ and MTL, such that [`load`](super::load) makes the same scene.
+
+use crate::geometry::Rgb;
+use crate::scene::{Camera, Scene};
+use glam::DVec3;
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+/// Writes `NAME.obj` and `NAME.mtl` into `folder`, which is made if need be.
+///
+/// Faces are written as they were given, uncut, in order of their ids; numbers with as
+/// many digits as it takes to read them back bit for bit. Each file is written under a
+/// temporary name and renamed. Returns the two paths.
+///
+/// # Errors
+/// When the folder cannot be made or written to.
+pub fn export(scene: &Scene, folder: impl AsRef<Path>) -> io::Result<Vec<PathBuf>> {
+    let folder = folder.as_ref();
+    fs::create_dir_all(folder)?;
+    let stem = file_name(&scene.name);
+    let names = material_names(scene);
+    let obj = folder.join(format!("{stem}.obj"));
+    let mtl = folder.join(format!("{stem}.mtl"));
+    write(&mtl, &mtl_text(scene, &names))?;
+    write(&obj, &obj_text(scene, &names, &stem))?;
+    Ok(vec![obj, mtl])
+}
+
+/// The name with all that file systems dislike replaced by `-`.
+fn file_name(name: &str) -> String {
+    let fit = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' };
+    let fit: String = name.chars().map(fit).collect();
+    if fit.trim_matches('.').is_empty() { "scene".into() } else { fit }
+}
+
+/// The name of each material, on one line, and of no other.
+fn material_names(scene: &Scene) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for material in &scene.materials {
+        let plain: Vec<&str> = material.name().split_whitespace().collect();
+        let plain = if plain.is_empty() { "material".into() } else { plain.join(" ") };
+        let numbered = (2..).map(|k| format!("{plain}-{k}"));
+        let mut free = std::iter::once(plain.clone()).chain(numbered);
+        names.extend(free.find(|name| !names.contains(name)));
+    }
+    names
+}
+
+fn mtl_text(scene: &Scene, names: &[String]) -> String {
+    let mut text = format!("# materials of {}\n", one_line(&scene.name));
+    for (material, name) in scene.materials.iter().zip(names) {
+        let rgb = |key: &str, c: Rgb| match c {
+            Rgb::ZERO => String::new(),
+            Rgb { x, y, z } => format!("{key} {x} {y} {z}\n"),
+        };
+        let Rgb { x, y, z } = material.diffuse();
+        let _ = write!(text, "\nnewmtl {name}\nKd {x} {y} {z}\n");
+        text += &rgb("Ke", material.emission());
+        text += &rgb("Ks", material.specular());
+        if material.specular() != Rgb::ZERO {
+            text += "illum 3\n";
+        }
+    }
+    text
+}
+
+fn obj_text(scene: &Scene, names: &[String], stem: &str) -> String {
+    let mut text = format!("# {}\n", one_line(&scene.name));
+    let triple = |v: DVec3| format!("{} {} {}", v.x, v.y, v.z);
+    let Camera { eye, target, up, fov } = scene.camera;
+    let (eye, target, up) = (triple(eye), triple(target), triple(up));
+    let _ = writeln!(text, "# camera eye {eye} target {target} up {up} fov {fov}");
+    let _ = writeln!(text, "mtllib {stem}.mtl\n");
+
+    let mut numbers: HashMap<[u64; 3], usize> = HashMap::new();
+    let mut faces = String::new();
+    let mut current = None;
+    for face in &scene.faces {
+        if current != Some(face.material) {
+            current = Some(face.material);
+            let _ = writeln!(faces, "usemtl {}", names[face.material.0 as usize]);
+        }
+        faces += "f";
+        for &corner in &face.outline {
+            let next = numbers.len() + 1;
+            let bits = corner.to_array().map(f64::to_bits);
+            let number = *numbers.entry(bits).or_insert_with(|| {
+                let _ = writeln!(text, "v {}", triple(corner));
+                next
+            });
+            let _ = write!(faces, " {number}");
+        }
+        faces += "\n";
+    }
+    text + "\n" + &faces
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Writes a file under a temporary name and renames it.
+fn write(path: &Path, text: &str) -> io::Result<()> {
+    let mut temporary = path.as_os_str().to_owned();
+    temporary.push(".part");
+    let temporary = PathBuf::from(temporary);
+    let written =
+        fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
+    if written.is_err() {
+        let _ = fs::remove_file(&temporary); // the first error is the one to tell
+    }
+    written
+}

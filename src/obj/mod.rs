@@ -1,0 +1,205 @@
+//! Wavefront OBJ and MTL files to a [`Scene`], and back.
+//!
+//! ```text
+//! file ──scan──→ checked statements ──tobj──→ faces, materials ──assemble──→ Scene
+//! ```
+//!
+//! Every `f` is one face, front side counter-clockwise, in file order whatever groups and
+//! materials it belongs to. tobj reads the numbers; it gives no line numbers, and some
+//! input makes it panic. The scan before it checks every statement, knows its line, and
+//! hands on a plain copy.
+//!
+//! | in the OBJ          | meaning                                                      |
+//! |---------------------|--------------------------------------------------------------|
+//! | `v x y z`           | a corner, in scene units; what follows `z` is ignored        |
+//! | `f a b c …`         | a face, at least 3 corners; `a/t/n` forms and negative       |
+//! |                     | (relative) numbers too; corners stand above their faces      |
+//! | `usemtl NAME`       | material of the faces below; `NAME` must be defined          |
+//! | `mtllib FILE`       | where materials are defined, relative to the OBJ             |
+//! | `# camera eye x y z target x y z up x y z fov d` | our extension: a view           |
+//!
+//! | in the MTL          | meaning                                                      |
+//! |---------------------|--------------------------------------------------------------|
+//! | `Ke r g b`          | emitted radiosity of the front, W/m² (radiance is `Ke/π`)    |
+//! | `Kd r g b`          | diffuse reflectance, `< 1`; 0 when absent                    |
+//! | `Ks r g b`          | specular reflectance; counts as absorbed, with a warning     |
+//! | `Td r g b`          | diffuse transmittance (our extension); absorbed, as `Ks`     |
+//! | `illum` 4, 6, 7, 9  | glass; what it would pass or mirror counts as absorbed       |
+//! | `map_Kd`, `map_Ke`  | textures; the constants stand for them, with a warning       |
+//!
+//! One number stands for three equal ones. A face without `usemtl` reflects 0.5.
+//! Everything that is ignored although it changes the light is warned of.
+//!
+//! **Not here:** curves and surfaces, textures, specular transport.
+//! Chapter *The pipeline* (L08). Sources: Wavefront, *Object Files* and *MTL* (1995).
+
+mod export;
+mod lines;
+mod mtl;
+mod scan;
+
+pub use export::export;
+
+use crate::geometry::Rgb;
+use crate::material::{Coefficients, Material};
+use crate::scene::{Face, MaterialId, Scene, Warning};
+use glam::DVec3;
+use std::path::{Path, PathBuf};
+use std::{fmt, fs, io};
+
+/// Reflectance of faces without a material.
+const DEFAULT_REFLECTANCE: f64 = 0.5;
+
+/// At most so many warnings are given one by one.
+const MOST_WARNINGS: usize = 20;
+
+/// Why a file makes no scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ObjError {
+    /// The file at fault: the OBJ or one of its MTL files.
+    pub file: PathBuf,
+    /// The line at fault, from 1; `None` when the file as a whole is.
+    pub line: Option<usize>,
+    /// What is wrong, with its value, and what to do about it.
+    pub message: String,
+}
+
+impl fmt::Display for ObjError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}", at(&self.file, self.line))?;
+        write!(f, "{}", self.message)
+    }
+}
+
+impl std::error::Error for ObjError {}
+
+impl ObjError {
+    fn new(
+        file: &Path,
+        line: impl Into<Option<usize>>,
+        message: impl ToString,
+    ) -> Self {
+        ObjError { file: file.into(), line: line.into(), message: message.to_string() }
+    }
+}
+
+/// `room.obj, line 7: `, the beginning of errors and warnings.
+fn at(file: &Path, line: Option<usize>) -> String {
+    match line {
+        Some(line) => format!("{}, line {line}: ", file.display()),
+        None => format!("{}: ", file.display()),
+    }
+}
+
+/// Reads an OBJ file and the MTL files that it names.
+///
+/// Returns the scene, named as the file without its extension, and one sentence for each
+/// thing that was repaired or ignored. A scene without any emitter is returned as it is.
+///
+/// # Errors
+/// When a file cannot be read, is no text, or has a statement that makes no sense; when a
+/// corner is missing or not finite, a face has no area or crosses itself; when a material
+/// is missing or not passive. The error names file, line, value and remedy.
+pub fn load(path: impl AsRef<Path>) -> Result<(Scene, Vec<String>), ObjError> {
+    let path = path.as_ref();
+    let bytes = fs::read(path).map_err(|error| {
+        ObjError::new(path, None, format!("cannot be read ({error}); check the path"))
+    })?;
+    read(path, &bytes, |path| fs::read(path))
+}
+
+/// As [`load`], with the bytes of the OBJ file `path` given and MTL files read by `open`.
+///
+/// # Errors
+/// Those of [`load`].
+pub fn read(
+    path: &Path,
+    bytes: &[u8],
+    open: impl Fn(&Path) -> io::Result<Vec<u8>>,
+) -> Result<(Scene, Vec<String>), ObjError> {
+    let scan = scan::scan(path, bytes)?;
+    let library = mtl::read(path, &scan.libraries, open)?;
+    for (name, line) in &scan.uses {
+        if !library.index.contains_key(name) {
+            let remedy = "define it with `newmtl` in a file named by `mtllib`";
+            let message = format!("there is no material `{name}`; {remedy}");
+            return Err(ObjError::new(path, *line, message));
+        }
+    }
+    let mut warnings = scan.warnings;
+    let (faces, used) = faces(path, &scan.text, &library)?;
+    warnings.extend(library.warnings(&used));
+
+    let mut materials = library.materials;
+    let default = MaterialId(materials.len() as u32);
+    let unnamed = faces.iter().filter(|face| face.material == default).count();
+    if unnamed > 0 {
+        let diffuse = Rgb::splat(DEFAULT_REFLECTANCE);
+        let coefficients = Coefficients { diffuse, ..Default::default() };
+        let grey = Material::new("default", coefficients);
+        materials.push(grey.map_err(|error| ObjError::new(path, None, error))?);
+        warnings.push(format!(
+            "{}faces without `usemtl`: {unnamed}; they reflect {DEFAULT_REFLECTANCE}",
+            at(path, None)
+        ));
+    }
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    let line = |face: crate::scene::FaceId| scan.faces[face.0 as usize].0;
+    let (scene, repairs) = Scene::assemble(name, materials, faces, scan.camera)
+        .map_err(|error| {
+            let (line, text) = &scan.faces[error.face.0 as usize];
+            let message = format!("face `{text}` {}", error.reason);
+            ObjError::new(path, *line, message)
+        })?;
+    warnings.extend(repairs.iter().map(|repair| {
+        let what = match repair {
+            Warning::Split { .. } => repair.to_string(),
+            Warning::Covered { by, .. } => {
+                format!("{repair}; face {} is on line {}", by.0, line(*by))
+            }
+        };
+        format!("{}{what}", at(path, Some(line(repair.face()))))
+    }));
+    if warnings.len() > MOST_WARNINGS {
+        let more = warnings.len() - MOST_WARNINGS;
+        warnings.truncate(MOST_WARNINGS);
+        warnings.push(format!("{}{more} more warnings like these", at(path, None)));
+    }
+    Ok((scene, warnings))
+}
+
+/// The faces in file order, as tobj reads them, and which materials they use.
+///
+/// tobj begins a new model at every change of group or material, in file order.
+fn faces(
+    path: &Path,
+    text: &str,
+    library: &mtl::Library,
+) -> Result<(Vec<Face>, Vec<bool>), ObjError> {
+    let failed = |error: tobj::LoadError| ObjError::new(path, None, error);
+    let options = tobj::LoadOptions::default();
+    let (models, _) =
+        tobj::load_obj_buf(&mut text.as_bytes(), &options, |_| library.for_tobj())
+            .map_err(failed)?;
+    let count = library.materials.len();
+    let mut used = vec![false; count];
+    let mut faces = Vec::new();
+    for tobj::Model { mesh, .. } in &models {
+        let material = mesh.material_id.unwrap_or(count);
+        if let Some(used) = used.get_mut(material) {
+            *used = true;
+        }
+        let corner = |&k: &u32| DVec3::from_slice(&mesh.positions[3 * k as usize..]);
+        let mut rest = &mesh.indices[..];
+        let mut arities = mesh.face_arities.iter();
+        while !rest.is_empty() {
+            // No arities: all triangles.
+            let (face, others) =
+                rest.split_at(arities.next().map_or(3, |&n| n as usize));
+            let outline = face.iter().map(corner).collect();
+            faces.push(Face { outline, material: MaterialId(material as u32) });
+            rest = others;
+        }
+    }
+    Ok((faces, used))
+}

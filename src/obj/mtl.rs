@@ -1,0 +1,304 @@
+//! Materials: the statements of MTL files checked, read by tobj, and made passive.
+
+use super::lines::{Statement, numbers, shown, statements};
+use super::{ObjError, at};
+use crate::geometry::Rgb;
+use crate::material::{Coefficients, Material, MaterialError};
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Where something is written.
+type Place = (PathBuf, usize);
+
+/// All materials of all MTL files.
+#[derive(Default)]
+pub(super) struct Library {
+    /// In file order.
+    pub materials: Vec<Material>,
+    /// Which material a name means; the last of that name.
+    pub index: HashMap<String, usize>,
+    /// As tobj has them.
+    raw: Vec<tobj::Material>,
+    /// Warnings about materials that count only when they are used.
+    notes: Vec<(usize, String)>,
+    /// Warnings that count always.
+    warnings: Vec<String>,
+}
+
+/// Reads the MTL files `named` by the OBJ file `obj`, each once.
+pub(super) fn read(
+    obj: &Path,
+    named: &[(String, usize)],
+    open: impl Fn(&Path) -> io::Result<Vec<u8>>,
+) -> Result<Library, ObjError> {
+    let folder = obj.parent().unwrap_or(Path::new(""));
+    let mut read: Vec<PathBuf> = Vec::new();
+    let mut scan = Scan::default();
+    for (name, line) in named {
+        let failed = |file: &Path, error: io::Error| {
+            let message = format!(
+                "its material file `{}` cannot be read ({error}); put it there or remove \
+                 the `mtllib` line",
+                file.display()
+            );
+            ObjError::new(obj, *line, message)
+        };
+        // A name may hold spaces; else several names may stand there.
+        let whole = folder.join(name);
+        let files = match open(&whole) {
+            Ok(bytes) => vec![(whole, bytes)],
+            Err(error) if !name.contains(char::is_whitespace) => {
+                return Err(failed(&whole, error));
+            }
+            Err(_) => {
+                let each = |word| {
+                    let file = folder.join(word);
+                    let bytes = open(&file).map_err(|error| failed(&file, error))?;
+                    Ok((file, bytes))
+                };
+                name.split_whitespace().map(each).collect::<Result<_, _>>()?
+            }
+        };
+        for (file, bytes) in files {
+            if !read.contains(&file) {
+                scan.file(&file, &bytes)?;
+                read.push(file);
+            }
+        }
+    }
+    scan.library(obj)
+}
+
+/// Checked statements of MTL files.
+#[derive(Default)]
+struct Scan {
+    /// The plain copy that tobj reads.
+    text: String,
+    /// Where each material begins.
+    places: Vec<Place>,
+    /// For each material, where its keys stand.
+    keys: Vec<HashMap<String, Place>>,
+    warnings: Vec<String>,
+}
+
+impl Scan {
+    fn file(&mut self, file: &Path, bytes: &[u8]) -> Result<(), ObjError> {
+        let mut begun = false;
+        for statement in statements(file, bytes)? {
+            let (key, rest) = statement.key();
+            let failed = |message: String| ObjError::new(file, statement.line, message);
+            let place = (file.to_path_buf(), statement.line);
+            let words = match key {
+                _ if statement.is_comment() => continue,
+                "newmtl" if rest.is_empty() => {
+                    return Err(failed("`newmtl` names nothing; add the name".into()));
+                }
+                "newmtl" => {
+                    begun = true;
+                    self.places.push(place.clone());
+                    self.keys.push(HashMap::new());
+                    rest.into()
+                }
+                "Kd" | "Ks" | "Ke" | "Td" | "Tf" => {
+                    triple(&statement).map_err(failed)?
+                }
+                "Ns" | "Ni" | "d" | "Tr" => single(&statement).map_err(failed)?,
+                "illum" => match rest.parse::<u8>() {
+                    Ok(model @ 0..=10) => model.to_string(),
+                    _ => {
+                        let given = shown(rest);
+                        return Err(failed(format!(
+                            "`illum {given}` is no illumination model; write 0 to 10"
+                        )));
+                    }
+                },
+                "map_Kd" | "map_Ke" if !rest.is_empty() => rest.into(),
+                _ => continue, // other reflection models, and how it is displayed
+            };
+            if !begun {
+                let message =
+                    format!("`{key}` stands before any `newmtl`; move it below");
+                return Err(failed(message));
+            }
+            let _ = writeln!(self.text, "{key} {words}"); // a String takes all
+            if let Some(keys) = self.keys.last_mut() {
+                keys.insert(key.into(), place);
+            }
+        }
+        Ok(())
+    }
+
+    fn library(self, obj: &Path) -> Result<Library, ObjError> {
+        let (raw, index) = tobj::load_mtl_buf(&mut self.text.as_bytes())
+            .map_err(|error| ObjError::new(obj, None, error))?;
+        let Scan { places, keys, mut warnings, .. } = self;
+        let mut materials = Vec::with_capacity(raw.len());
+        let mut notes = Vec::new();
+        for (k, raw) in raw.iter().enumerate() {
+            let find = |key: &str| keys[k].get(key).unwrap_or(&places[k]);
+            materials.push(passive(raw).map_err(|(key, message)| {
+                let (file, line) = find(key);
+                ObjError::new(file, *line, message)
+            })?);
+            notes.extend(self::notes(raw).into_iter().map(|(key, note)| {
+                let (file, line) = find(key);
+                (k, format!("{}material `{}` {note}", at(file, Some(*line)), raw.name))
+            }));
+            if index[&raw.name] != k {
+                let (file, line) = &places[k];
+                warnings.push(format!(
+                    "{}material `{}` is defined again below; the last one counts",
+                    at(file, Some(*line)),
+                    raw.name
+                ));
+            }
+        }
+        Ok(Library { materials, index, raw, notes, warnings })
+    }
+}
+
+impl Library {
+    /// What tobj's loader of material files is to return.
+    pub fn for_tobj(&self) -> tobj::MTLLoadResult {
+        let index = self.index.iter().map(|(name, k)| (name.clone(), *k)).collect();
+        Ok((self.raw.clone(), index))
+    }
+
+    /// What is to be said, given which materials are `used`.
+    pub fn warnings(&self, used: &[bool]) -> Vec<String> {
+        let notes = self.notes.iter().filter(|(k, _)| used[*k]).map(|(_, note)| note);
+        self.warnings.iter().chain(notes).cloned().collect()
+    }
+}
+
+/// Three numbers; one stands for three equal ones.
+fn triple(statement: &Statement) -> Result<String, String> {
+    let (key, rest) = statement.key();
+    match numbers(rest.split('#').next().unwrap_or_default())?[..] {
+        [x] => Ok(format!("{x} {x} {x}")),
+        [x, y, z] => Ok(format!("{x} {y} {z}")),
+        _ => Err(format!(
+            "`{}` needs one or three numbers; write `{key} r g b`",
+            shown(&statement.text)
+        )),
+    }
+}
+
+/// One number.
+fn single(statement: &Statement) -> Result<String, String> {
+    let (key, rest) = statement.key();
+    let rest = rest.trim_start_matches("-halo");
+    match numbers(rest.split('#').next().unwrap_or_default())?[..] {
+        [x] => Ok(x.to_string()),
+        _ => Err(format!(
+            "`{}` needs one number; write `{key} x`",
+            shown(&statement.text)
+        )),
+    }
+}
+
+/// What is said of a material: the key that it is about, and the rest of the sentence.
+type Note = (&'static str, String);
+
+/// Does the material pass and mirror light by Fresnel's law?
+fn is_glass(raw: &tobj::Material) -> bool {
+    matches!(raw.illumination_model, Some(4 | 6 | 7 | 9))
+}
+
+fn rgb(values: Option<[f64; 3]>) -> Rgb {
+    values.map_or(Rgb::ZERO, Rgb::from_array)
+}
+
+/// `Td`, which tobj hands on as text.
+fn transmitted(raw: &tobj::Material) -> Rgb {
+    let text = raw.unknown_param.get("Td");
+    let values = text.and_then(|text| numbers(text).ok()).unwrap_or_default();
+    values.try_into().map_or(Rgb::ZERO, Rgb::from_array)
+}
+
+/// Makes the material, or says which key forbids it.
+fn passive(raw: &tobj::Material) -> Result<Material, Note> {
+    let specular = if is_glass(raw) { Rgb::ZERO } else { rgb(raw.specular) };
+    let (emission, diffuse) = (rgb(raw.emissive), rgb(raw.diffuse));
+    let material =
+        Material::new(&raw.name, Coefficients { emission, diffuse, specular })
+            .map_err(|error| {
+                let key = match error {
+                    MaterialError::NotANumber { key, .. } => key,
+                    MaterialError::Diffuse { .. } => "Kd",
+                    MaterialError::NotPassive { .. } => "Ks",
+                };
+                (key, error.to_string())
+            })?;
+    let td = transmitted(raw);
+    if td.min_element() < 0.0 {
+        return Err((
+            "Td",
+            format!("material `{}` has a negative Td; raise it", raw.name),
+        ));
+    }
+    let both = diffuse + td;
+    let all = both + specular;
+    if td != Rgb::ZERO && (both.max_element() >= 1.0 || all.max_element() > 1.0 + 1e-9)
+    {
+        let message = format!(
+            "material `{}` reflects and transmits {} of the light it gets; every channel \
+             of Kd + Td must be < 1, and with Ks ≤ 1. Lower Td, Kd or Ks",
+            raw.name,
+            tuple(all)
+        );
+        return Err(("Td", message));
+    }
+    Ok(material)
+}
+
+/// What of the material is read but not carried by this version, or ignored.
+fn notes(raw: &tobj::Material) -> Vec<Note> {
+    let unknown = |key: &str| raw.unknown_param.get(key);
+    let mut notes = Vec::new();
+    let mut note = |when: bool, key: &'static str, what: &str| {
+        if when {
+            notes.push((key, what.to_string()));
+        }
+    };
+    let glass = is_glass(raw);
+    note(
+        glass,
+        "illum",
+        "is glass, which is not carried yet: what it would pass or mirror counts as \
+         absorbed; remove the face, or give it an `illum` below 3",
+    );
+    note(
+        !glass && rgb(raw.specular) != Rgb::ZERO,
+        "Ks",
+        "is specular, which is not carried yet: that share counts as absorbed; move Ks to \
+         Kd to keep its light",
+    );
+    note(
+        transmitted(raw) != Rgb::ZERO,
+        "Td",
+        "transmits, which is not carried yet: that share counts as absorbed; move Td to \
+         Kd to keep its light",
+    );
+    let opaque = "is partly transparent but no glass (illum 4, 6, 7 or 9); it is taken as \
+                  opaque";
+    note(!glass && raw.dissolve.is_some_and(|d| d != 1.0), "d", opaque);
+    note(!glass && unknown("Tr").is_some_and(|tr| tr != "0"), "Tr", opaque);
+    for (key, map, constant, value) in [
+        ("map_Kd", raw.diffuse_texture.as_ref(), "Kd", rgb(raw.diffuse)),
+        ("map_Ke", unknown("map_Ke"), "Ke", rgb(raw.emissive)),
+    ] {
+        if let Some(map) = map {
+            let (map, value) = (shown(map), tuple(value));
+            let what = format!("has a texture `{map}`, which is not carried yet");
+            notes.push((key, format!("{what}; {constant} {value} stands for it")));
+        }
+    }
+    notes
+}
+
+fn tuple(c: Rgb) -> String {
+    format!("({}, {}, {})", c.x, c.y, c.z)
+}

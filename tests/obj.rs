@@ -1,0 +1,387 @@
+//! OBJ and MTL files: what is read, what is repaired, and what is refused, in which words.
+
+use glam::{DVec3, dvec3};
+use proptest::prelude::*;
+use radiosity::obj;
+use radiosity::scene::{FaceId, Scene, builtins};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Reads `obj` as `room.obj`, beside which there is only `room.mtl`.
+fn read(obj: &str, mtl: &str) -> Result<(Scene, Vec<String>), obj::ObjError> {
+    read_bytes(obj.as_bytes(), mtl.as_bytes())
+}
+
+fn read_bytes(obj: &[u8], mtl: &[u8]) -> Result<(Scene, Vec<String>), obj::ObjError> {
+    obj::read(Path::new("room.obj"), obj, |path| match path.to_str() {
+        Some("room.mtl") => Ok(mtl.to_vec()),
+        _ => Err(io::ErrorKind::NotFound.into()),
+    })
+}
+
+fn sound(obj: &str, mtl: &str) -> (Scene, Vec<String>) {
+    read(obj, mtl).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn message(obj: &str, mtl: &str) -> String {
+    match read(obj, mtl) {
+        Ok(_) => panic!("accepted:\n{obj}\n{mtl}"),
+        Err(error) => error.to_string(),
+    }
+}
+
+/// An empty folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+// --- What is read -------------------------------------------------------------------
+
+#[test]
+fn faces_keep_file_order_whatever_groups_and_materials_they_have() {
+    let text = format!(
+        "mtllib room.mtl\n{SQUARE}v 5 0 0\n\
+         usemtl a\nf 1 2 3\ng one\nf 2 3 4 1\nusemtl b\nf 1 2 3 4\no two\nf 4 3 2\n\
+         usemtl a\nf 1 5 3\nf 2 5 4\ng\nusemtl b\nf 1 5 4\n"
+    );
+    let (scene, _) = sound(&text, "newmtl a\nKd .1 .1 .1\nnewmtl b\nKd .2 .2 .2\n");
+    let names: String = scene
+        .faces
+        .iter()
+        .map(|f| scene.materials[f.material.0 as usize].name())
+        .collect();
+    assert_eq!(names, "aabbaab");
+    let corners: Vec<usize> = scene.faces.iter().map(|f| f.outline.len()).collect();
+    assert_eq!(corners, [3, 4, 4, 3, 3, 3, 3]);
+    assert_eq!(scene.faces[4].outline[1], dvec3(5.0, 0.0, 0.0));
+}
+
+#[test]
+fn the_forms_of_a_face_mean_the_same() {
+    let expected = sound(&format!("{SQUARE}f 1 2 3 4\n"), "").0;
+    for form in [
+        "f 1/1 2/2 3/3 4/4",
+        "f 1//1 2//1 3//1 4//1",
+        "f 1/1/1 2/2/1 3/3/1 4/4/1",
+        "f -4 -3 -2 -1",
+        "f 1 2 \\\n 3 4",
+        "  f\t1  2 3 4   # the floor",
+        "f 1 2 3 4\r",
+    ] {
+        let text = format!("# a file\n\n{SQUARE}vt 0 0\nvn 0 0 1\ns off\n{form}\n");
+        assert_eq!(sound(&text, "").0, expected, "{form}");
+    }
+    let windows = format!("{SQUARE}f 1 2 3 4\n").replace('\n', "\r\n");
+    assert_eq!(sound(&windows, "").0, expected);
+    let coloured = SQUARE.replace('\n', " 1 0.5 0.5\n");
+    assert_eq!(sound(&format!("{coloured}f 1 2 3 4"), "").0, expected);
+}
+
+#[test]
+fn a_material_is_read_with_all_its_digits() {
+    let mtl = "# m\nnewmtl my paint # 7\nKd 0.1 0.2 0.30000000000000004\nKe 5\nNs 10\n\
+               illum 2\nbump x.png\nmap_Ks y.png\n";
+    let text = format!("mtllib room.mtl\n{SQUARE}usemtl my paint # 7\nf 1 2 3 4\n");
+    let (scene, warnings) = sound(&text, mtl);
+    let material = scene.material(&scene.surfaces[0]);
+    assert_eq!(material.name(), "my paint # 7");
+    assert_eq!(material.diffuse(), dvec3(0.1, 0.2, 0.1 + 0.2));
+    assert_eq!(material.emission(), DVec3::splat(5.0));
+    assert_eq!(warnings, [""; 0]);
+}
+
+#[test]
+fn a_scene_without_emitter_is_no_error_here() {
+    let (scene, warnings) = sound(&format!("{SQUARE}f 1 2 3 4\n"), "");
+    assert!(!scene.has_emitter());
+    assert_eq!(scene.material(&scene.surfaces[0]).diffuse(), DVec3::splat(0.5));
+    assert_eq!(warnings, ["room.obj: faces without `usemtl`: 1; they reflect 0.5"]);
+}
+
+// --- Round trip ---------------------------------------------------------------------
+
+#[test]
+fn every_built_in_scene_comes_back_bit_for_bit() {
+    let folder = folder("round-trip");
+    for b in builtins() {
+        let scene = (b.make)();
+        let paths = obj::export(&scene, &folder).unwrap();
+        assert_eq!(paths[0], folder.join(format!("{}.obj", b.name)));
+        let (back, _) = obj::load(&paths[0]).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(back, scene, "{}", b.name);
+    }
+    // Nothing but the scenes is left behind.
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 2 * builtins().len());
+}
+
+// --- What is repaired ---------------------------------------------------------------
+
+#[test]
+fn a_twisted_face_is_split_with_a_warning_and_stays_one_face() {
+    let (scene, warnings) =
+        sound("v 0 0 0\nv 1 0 0\nv 1 1 .1\nv 0 1 0\nf 1 2 3 4\n", "");
+    assert_eq!((scene.faces.len(), scene.surfaces.len()), (1, 2));
+    assert!(scene.surfaces.iter().all(|s| s.face == FaceId(0)));
+    assert!(
+        warnings
+            .iter()
+            .any(|w| w.starts_with("room.obj, line 5: face 0 is not planar")),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn an_l_shaped_face_is_split_with_a_warning() {
+    let text = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6\n";
+    let (scene, warnings) = sound(text, "");
+    assert_eq!(scene.surfaces.len(), 2);
+    assert!((scene.face_areas()[0] - 3.0).abs() < 1e-15);
+    assert!(warnings[1].contains("line 7: face 0 is not convex"), "{warnings:?}");
+}
+
+#[test]
+fn what_is_not_carried_yet_is_said_with_file_line_and_material() {
+    let text = format!("mtllib room.mtl\n{SQUARE}usemtl m\nf 1 2 3 4\ncurv 0 1 1 2\n");
+    for (mtl, words) in [
+        ("Ks .5 .5 .5\nillum 3", "room.mtl, line 3: material `m` is specular"),
+        ("Ks .5 .5 .5\nNs 30", "room.mtl, line 3: material `m` is specular"),
+        ("Td .5 .5 .5", "room.mtl, line 3: material `m` transmits"),
+        ("Kd .2\nillum 4\nNi 1.5", "room.mtl, line 4: material `m` is glass"),
+        ("d .5", "room.mtl, line 3: material `m` is partly transparent"),
+        ("Tr .5", "room.mtl, line 3: material `m` is partly transparent"),
+        ("map_Kd a b.png", "line 3: material `m` has a texture `a b.png`"),
+        ("Ke 1\nmap_Ke b.hdr", "Ke (1, 1, 1) stands for it"),
+        ("newmtl m", "room.mtl, line 2: material `m` is defined again"),
+        ("", "room.obj, line 8: `curv` statements are not read"),
+    ] {
+        let (_, warnings) = sound(&text, &format!("# library\nnewmtl m\n{mtl}\n"));
+        assert!(warnings.iter().any(|w| w.contains(words)), "{mtl}: {warnings:?}");
+    }
+    // Nobody minds a material that no face has.
+    let (_, warnings) = sound(&text, "newmtl m\nnewmtl n\nKs 1 1 1\nillum 3\n");
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+}
+
+#[test]
+fn warnings_are_not_endless() {
+    let text = "v 0 0 0\nv 1 0 0\nv 1 1 .1\nv 0 1 0\n".to_string()
+        + &"f 1 2 3 4\n".repeat(100);
+    let (_, warnings) = sound(&text, "");
+    assert!(warnings.len() <= 21);
+    assert!(warnings.last().unwrap().contains("more warnings"), "{warnings:?}");
+}
+
+// --- What is refused ----------------------------------------------------------------
+
+#[test]
+fn bad_obj_files_are_refused_in_one_sentence() {
+    for (text, words) in [
+        ("", "room.obj: is empty"),
+        (" \n\n", "room.obj: is empty"),
+        ("v 0 0 0\n", "room.obj: has no face"),
+        ("hello world\n", "room.obj: has no face"),
+        ("{S}f 1 2 9\n", "room.obj, line 5: corner 9 does not exist: 4 stand above"),
+        ("{S}f 0 1 2\n", "line 5: corner 0 does not exist"),
+        ("{S}f -5 1 2\n", "line 5: corner -5 does not exist"),
+        ("f 1 2 3\n{S}", "line 1: corner 1 does not exist: 0 stand above"),
+        ("{S}f 1 2 99999999999999999999999\n", "corner 99999999999999999999999 does"),
+        ("{S}f 1 2 4294967297\n", "corner 4294967297 does not exist"),
+        ("{S}f 1 2\n", "line 5: a face needs at least 3 corners, not 2"),
+        ("{S}f\n", "line 5: a face needs at least 3 corners, not 0"),
+        ("{S}f 1 2 x\n", "line 5: `x` is no corner of a face"),
+        ("{S}f 1 2 3/a\n", "line 5: `3/a` is no corner of a face"),
+        ("{S}f 1 2 3/1/1/1\n", "line 5: `3/1/1/1` is no corner of a face"),
+        ("v nan 0 0\n{S}f 2 3 4\n", "line 1: `nan` is no finite number"),
+        ("v 0 -inf 0\n", "line 1: `-inf` is no finite number"),
+        ("v 0 1e999 0\n", "line 1: `1e999` is no finite number"),
+        ("v 0 1e300 0\n", "line 1: `1e300` is no finite number"),
+        ("v 0 one 0\n", "line 1: `one` is no number"),
+        ("v 0 1\n", "line 1: corner `v 0 1` needs three coordinates"),
+        ("{S}f 1 2 1 2\n", "line 5: face `f 1 2 1 2` "),
+        ("{S}f 1 1 1\n", "line 5: face `f 1 1 1` has 1 distinct vertices"),
+        ("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "face `f 1 2 3` has no area"),
+        ("{S}f 1 3 2 4\n", "line 5: face `f 1 3 2 4` crosses or touches itself"),
+        ("{S}usemtl\nf 1 2 3\n", "line 5: `usemtl` names nothing"),
+        ("{S}mtllib \nf 1 2 3\n", "line 5: `mtllib` names nothing"),
+        ("{S}usemtl gold\nf 1 2 3\n", "line 5: there is no material `gold`"),
+        ("mtllib no.mtl\n{S}f 1 2 3\n", "room.obj, line 1: its material file `no.mtl`"),
+        ("mtllib a.mtl b.mtl\n{S}f 1 2 3\n", "line 1: its material file `a.mtl`"),
+        ("{S}f 1 2 3\nv 0 0 \0\n", "line 6: is no text"),
+    ] {
+        let got = message(&text.replace("{S}", SQUARE), "");
+        assert!(got.contains(words), "{text:?}: {got}");
+        assert!(!got.contains('\n'), "{got}");
+    }
+}
+
+#[test]
+fn bad_materials_are_refused_in_one_sentence() {
+    for (mtl, words) in [
+        (
+            "newmtl m\nKd 1 .5 .5\n",
+            "room.mtl, line 2: material `m` reflects (1, 0.5, 0.5)",
+        ),
+        (
+            "newmtl m\nKd .8 .8 .8\nKs .3 .1 .1\n",
+            "room.mtl, line 3: material `m` reflects",
+        ),
+        (
+            "newmtl m\nKd .6\nTd .4\n",
+            "line 3: material `m` reflects and transmits (1, 1, 1)",
+        ),
+        (
+            "newmtl m\nKd .4\nTd .4\nKs .3\n",
+            "line 3: material `m` reflects and transmits",
+        ),
+        ("newmtl m\nTd -1\n", "line 2: material `m` has a negative Td"),
+        ("newmtl m\nKd -.1 0 0\n", "line 2: material `m` has Kd (-0.1, 0, 0)"),
+        ("newmtl m\nKe 1 nan 1\n", "line 2: `nan` is no finite number"),
+        ("newmtl m\nKd .5 .5\n", "line 2: `Kd .5 .5` needs one or three numbers"),
+        ("newmtl m\nKd\n", "line 2: `Kd` needs one or three numbers"),
+        ("newmtl m\nKd spectral x.rfl\n", "line 2: `spectral` is no number"),
+        ("newmtl m\nillum 99\n", "line 2: `illum 99` is no illumination model"),
+        ("newmtl m\nNs\n", "line 2: `Ns` needs one number"),
+        ("newmtl\n", "line 1: `newmtl` names nothing"),
+        ("Kd .5 .5 .5\n", "line 1: `Kd` stands before any `newmtl`"),
+        ("", "room.obj, line 6: there is no material `m`"),
+    ] {
+        let text = format!("mtllib room.mtl\n{SQUARE}usemtl m\nf 1 2 3 4\n");
+        let got = message(&text, mtl);
+        assert!(got.contains(words), "{mtl:?}: {got}");
+        assert!(!got.contains('\n'), "{got}");
+    }
+    // A perfect mirror is passive, and so is rounding.
+    let text = format!("mtllib room.mtl\n{SQUARE}usemtl m\nf 1 2 3 4\n");
+    sound(&text, "newmtl m\nKs 1 1 1\nillum 3\n");
+    sound(&text, "newmtl m\nKd .9\nKs .1000000001\n");
+    // Ks means nothing to glass: Fresnel's law reflects.
+    sound(&text, "newmtl m\nKd .5\nKs 1\nillum 4\n");
+}
+
+#[test]
+fn missing_files_and_folders_are_named() {
+    let folder = folder("missing");
+    for path in [folder.join("no.obj"), folder.clone()] {
+        let error = obj::load(&path).unwrap_err().to_string();
+        assert!(error.starts_with(&path.display().to_string()), "{error}");
+        assert!(error.contains("cannot be read"), "{error}");
+    }
+    std::fs::write(
+        folder.join("room.obj"),
+        format!("{SQUARE}f 1 2 3\nmtllib room.mtl\n"),
+    )
+    .unwrap();
+    let error = obj::load(folder.join("room.obj")).unwrap_err().to_string();
+    assert!(error.contains("room.mtl` cannot be read"), "{error}");
+}
+
+#[test]
+fn absurdly_long_faces_are_refused_and_long_ones_are_not() {
+    let ring = |n: usize| {
+        let mut text = String::new();
+        for k in 0..n {
+            let (y, x) = (std::f64::consts::TAU * k as f64 / n as f64).sin_cos();
+            text += &format!("v {x} {y} 0\n");
+        }
+        text + "f" + &(1..=n).map(|k| format!(" {k}")).collect::<String>()
+    };
+    assert_eq!(sound(&ring(500), "").0.surfaces.len(), 1);
+    let got = message(&ring(5000), "");
+    assert!(got.contains("has 5000 corners; at most 4096"), "{got}");
+    assert!(got.len() < 200, "{got}");
+}
+
+// --- Garbage ------------------------------------------------------------------------
+
+proptest! {
+    /// Whatever the bytes, there is an answer and no panic.
+    #[test]
+    fn binary_garbage_does_not_panic(
+        obj in proptest::collection::vec(any::<u8>(), 0..400),
+        mtl in proptest::collection::vec(any::<u8>(), 0..100),
+    ) {
+        if let Err(error) = read_bytes(&obj, &mtl) {
+            prop_assert!(!error.to_string().contains('\n'));
+        }
+    }
+
+    /// Neither does text that is nearly right.
+    #[test]
+    fn almost_obj_does_not_panic(
+        obj in proptest::collection::vec(statement(), 0..30),
+        mtl in proptest::collection::vec(material(), 0..12),
+    ) {
+        let text = format!("mtllib room.mtl\n{SQUARE}{}", obj.concat());
+        if let Err(error) = read(&text, &mtl.concat()) {
+            prop_assert!(!error.to_string().contains('\n'));
+        }
+    }
+
+    /// A sound file with a few bytes changed is read or refused.
+    #[test]
+    fn a_damaged_file_does_not_panic(
+        damage in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+    ) {
+        let mut bytes = format!("mtllib room.mtl\n{SQUARE}usemtl m\nf 1 2 3 4\nf -1 -2 -3\n")
+            .into_bytes();
+        for (at, byte) in damage {
+            let at = at.index(bytes.len());
+            bytes[at] = byte;
+        }
+        let _ = read_bytes(&bytes, b"newmtl m\nKd .5 .5 .5\n");
+    }
+}
+
+fn number() -> impl Strategy<Value = String> {
+    prop_oneof![
+        8 => (-3i32..9).prop_map(|k| k.to_string()),
+        4 => any::<f64>().prop_map(|x| x.to_string()),
+        2 => "[-+]?[0-9]{0,3}\\.?[0-9]{0,3}(e[-+]?[0-9]{1,3})?",
+        1 => prop::sample::select(vec!["nan", "inf", "-", "/", "1/2/3", "1//", "#", "\\"])
+            .prop_map(str::to_string),
+    ]
+}
+
+fn statement() -> impl Strategy<Value = String> {
+    let key = prop::sample::select(vec![
+        "v",
+        "v",
+        "v",
+        "f",
+        "f",
+        "f",
+        "f",
+        "vt",
+        "vn",
+        "usemtl",
+        "usemtl m",
+        "g",
+        "o",
+        "s",
+        "l",
+        "p",
+        "mtllib",
+        "# camera",
+        "curv",
+        "",
+        "v\t",
+        "f \\\n",
+        "usemtl m\nf",
+    ]);
+    (key, proptest::collection::vec(number(), 0..7), "[ \t]?\\\\?(\n|\r\n|\r)")
+        .prop_map(|(key, numbers, end)| format!("{key} {}{end}", numbers.join(" ")))
+}
+
+fn material() -> impl Strategy<Value = String> {
+    let key = prop::sample::select(vec![
+        "newmtl m", "newmtl", "Kd", "Ks", "Ke", "Ka", "Td", "Tf", "Tr", "d", "Ns",
+        "Ni", "illum", "map_Kd", "map_Ke", "map_Ka", "bump", "",
+    ]);
+    (key, proptest::collection::vec(number(), 0..4))
+        .prop_map(|(key, numbers)| format!("{key} {}\n", numbers.join(" ")))
+}

@@ -1,1 +1,37 @@
-//! The labs of *Light, Patch by Patch*.
+//! The labs of *Light, Patch by Patch*: what students write, and what judges it.
+//!
+//! A lab is a folder here and a line in [`LABS`]. The folder holds
+//!
+//! | file         | what it is                                                        |
+//! |--------------|-------------------------------------------------------------------|
+//! | `mod.rs`     | the lab's [`Lab`]; the contract of what is to be written          |
+//! | `given.rs`   | what the student is given                                         |
+//! | `starter.rs` | what the student edits: it compiles, and fails every task         |
+//! | `answer.rs`  | one right answer                                                  |
+//! | `checks.rs`  | the checks; each failure names the likely [`Bug`]                 |
+//! | `wrong.rs`   | played students: each makes one mistake, which must be named      |
+//!
+//! and its brief is a page of the book, `book/src/labs/NAME.md`.
+//!
+//! `cargo lab` lists, runs, hints and grades; `cargo lab ci` proves that the starter
+//! fails, that the answer passes, and that each played student is caught and named.
+//!
+//! **What the grader does not do.** The answers are public: they lie beside the starter.
+//! A *cohort* seed varies scenes and numbers, so that copied results do not transfer;
+//! copied code does. A check runs in a process of its own with a limit on its time, but
+//! not on its memory, its files or its network: grade strangers' code in a sandbox.
+#![forbid(unsafe_code)]
+
+pub mod check;
+pub mod lab;
+pub mod grade;
+pub mod run;
+pub mod show;
+pub mod proof;
+pub mod hemicube;
+
+pub use check::{Bug, Verdict};
+pub use lab::{Lab, Who};
+
+/// All labs, in the order of the course. A new lab is one more line.
+pub const LABS: &[&Lab] = &[&hemicube::LAB];

@@ -12,7 +12,7 @@ use radiosity::film::{
 use radiosity::form_factor::hemicube::{Face, Hemicube};
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::mesh::{Mesh, wachspress};
-use radiosity::raster::Seen;
+use radiosity::raster::{Seen, View};
 use radiosity::scene::{Scene, built_in};
 use serde_json::Value;
 use std::f64::consts::PI;
@@ -26,9 +26,9 @@ fn cornell() -> Scene {
 
 /// A stand-in for a solution: a radiosity for each place that is linear in it.
 fn field(at: DVec3) -> Rgb {
-    PI * (dvec3(0.2, 0.3, 0.4)
-        + dvec3(0.9, 0.5, 0.1) * at.x
-        + dvec3(0.1, 0.3, 0.7) * at.y)
+    PI * (dvec3(0.05, 0.1, 0.4)
+        + dvec3(1.0, 0.2, -0.4) * at.x
+        + dvec3(0.1, 1.0, 0.5) * at.y)
 }
 
 fn shot(scene: &Scene, size: u32, samples: u32) -> Shot {
@@ -177,8 +177,7 @@ fn smooth_shading_is_correct_in_perspective() {
             assert_eq!(*got, Rgb::ZERO);
             continue;
         };
-        let at =
-            radiosity::raster::View::pixel_centre(k as u32 % 64, k as u32 / 64, 64, 64);
+        let at = View::pixel_centre(k as u32 % 64, k as u32 / 64, 64, 64);
         let plane = mesh.elements[id as usize].polygon.plane();
         let direction = view.direction(at);
         let t = -plane.height(view.eye()) / plane.normal.dot(direction);
@@ -232,8 +231,7 @@ fn pictures_of_an_unfolded_hemicube() {
     let scene = cornell();
     let mesh = Mesh::whole(&scene);
     let cube = Hemicube::new(&mesh, 16);
-    let (low, high) = scene.bounds();
-    let eye = dvec3(0.4 * low.x + 0.6 * high.x, low.y, 0.3 * low.z + 0.7 * high.z);
+    let eye = dvec3(0.4, 0.0, 0.15); // on the floor, before the blocks
     let of_ids = hemicube_cross(&cube, eye, DVec3::Y, 4, |_, _, seen| match seen {
         Seen::Front(id) => colour_of_id(id),
         Seen::Back(_) => [40; 3],
@@ -245,6 +243,38 @@ fn pictures_of_an_unfolded_hemicube() {
         scale.colour(cube.weights().of(face)[cell])
     });
     assert_picture(PICTURES, "hemicube-weights", &of_weights);
+}
+
+/// Cells that lie side by side on the unfolded hemicube lie side by side on the cube, also
+/// across its edges: their directions, drawn as colours, differ by a cell's width at most.
+#[test]
+fn the_cross_is_cut_only_where_it_must_be() {
+    let mesh = Mesh::whole(&cornell());
+    let n = 16;
+    let cube = Hemicube::new(&mesh, n);
+    let (eye, normal) = (DVec3::ZERO, DVec3::Z);
+    let frame = cube.frame(eye, normal);
+    let cross = hemicube_cross(&cube, eye, normal, 1, |face, cell, _| {
+        let (width, height) = face.size(n);
+        let at = View::pixel_centre(cell as u32 % n, cell as u32 / n, width, height);
+        let direction = face.view(eye, &frame).direction(at);
+        (frame.local_from_world(direction) * 100.0 + 120.0).to_array().map(|c| c as u8)
+    });
+    let white = image::Rgb([255; 3]);
+    let step = (100.0 * 2.0 / n as f64) as u8 + 1;
+    let mut pairs = 0;
+    for (x, y, cell) in cross.enumerate_pixels() {
+        for (dx, dy) in [(1, 0), (0, 1)] {
+            let next = cross.get_pixel_checked(x + dx, y + dy).unwrap_or(&white);
+            if *cell != white && *next != white {
+                let apart = [0, 1, 2].map(|k| cell[k].abs_diff(next[k]));
+                assert!(apart.iter().all(|&d| d <= step), "({x}, {y}): {apart:?}");
+                pairs += 1;
+            }
+        }
+    }
+    // rows and columns of neighbours in the cross
+    assert_eq!(pairs, 2 * (n * (2 * n - 1) + n * (n - 1)));
 }
 
 #[test]

@@ -69,10 +69,10 @@ fn classic_weights_meet_the_table() {
         let sum = |weights: &Weights, face| weights.of(face).iter().sum::<f64>();
         for (got, key) in [
             (sum(&classic, Face::Top), "sum_top"),
-            (4.0 * sum(&classic, Face::Left), "sum_four_sides"),
+            (4.0 * sum(&classic, Face::West), "sum_four_sides"),
             (classic.sum(), "sum_total"),
             (sum(&exact, Face::Top), "exact_top"),
-            (4.0 * sum(&exact, Face::Right), "exact_sides"),
+            (4.0 * sum(&exact, Face::East), "exact_sides"),
             (exact.sum() + 1.0, "two"),
         ] {
             let expected = if key == "two" { 2.0 } else { expected(key) };

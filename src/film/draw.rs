@@ -40,10 +40,10 @@ pub fn hemicube_cross(
             let (x, y) = (k as u32 % n, k as u32 / n);
             let (x, y) = match face {
                 Face::Top => (half + x, half + y),
-                Face::Front => (half + x, half + n + y),
-                Face::Back => (half + n - 1 - x, half - 1 - y),
-                Face::Right => (half + n + y, half + n - 1 - x),
-                Face::Left => (half - 1 - y, half + x),
+                Face::South => (half + x, half + n + y),
+                Face::North => (half + n - 1 - x, half - 1 - y),
+                Face::East => (half + n + y, half + n - 1 - x),
+                Face::West => (half - 1 - y, half + x),
             };
             page.square(x * cell, y * cell, cell - gap, colour(face, k, seen));
         }

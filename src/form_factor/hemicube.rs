@@ -36,19 +36,19 @@ pub enum Face {
     /// `z = 1`; `x` runs to the right, `y` up.
     Top,
     /// `x = 1`; `y` runs to the right, `z` up.
-    Right,
+    East,
     /// `y = 1`; `−x` runs to the right, `z` up.
-    Back,
+    North,
     /// `x = −1`; `−y` runs to the right, `z` up.
-    Left,
+    West,
     /// `y = −1`; `x` runs to the right, `z` up.
-    Front,
+    South,
 }
 
 impl Face {
     /// All five, the top first, the sides counter-clockwise.
     pub const ALL: [Face; 5] =
-        [Face::Top, Face::Right, Face::Back, Face::Left, Face::Front];
+        [Face::Top, Face::East, Face::North, Face::West, Face::South];
 
     // ANCHOR: views
     /// What the eye sees through this face. The sides end at the horizon.
@@ -57,10 +57,10 @@ impl Face {
         let side = |right, forward| View::new(eye, right, 2.0 * z - forward, forward);
         match self {
             Face::Top => View::new(eye, x, y, z),
-            Face::Right => side(y, x),
-            Face::Back => side(-x, y),
-            Face::Left => side(-y, -x),
-            Face::Front => side(x, -y),
+            Face::East => side(y, x),
+            Face::North => side(-x, y),
+            Face::West => side(-y, -x),
+            Face::South => side(x, -y),
         }
     }
     // ANCHOR_END: views

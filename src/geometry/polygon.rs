@@ -9,6 +9,9 @@ use std::fmt;
 /// Six decimals are what OBJ exporters write; a rectangle rounded so still counts as flat.
 const FLAT: f64 = 2e-6;
 
+/// Beyond these, the square of an area is no ordinary number any more.
+const AREAS: std::ops::Range<f64> = 1e-150..1e150;
+
 /// A convex planar polygon; its front is where its vertices run counter-clockwise.
 ///
 /// Checked once by [`Polygon::new`]; whatever holds a `Polygon` may rely on three or
@@ -32,7 +35,7 @@ pub enum PolygonError {
         /// Which vertex, from 0.
         index: usize,
     },
-    /// The vertices span no area.
+    /// The vertices span no area, or one outside of `1e-150..1e150`.
     ZeroArea,
     /// A vertex lies this far off the plane, in scene units.
     NotPlanar(f64),
@@ -89,7 +92,7 @@ impl Polygon {
         let size = diameter(&vertices);
         let area_normal = newell(&vertices);
         let area = area_normal.length();
-        if area.is_nan() || area <= 1e-14 * size * size {
+        if !AREAS.contains(&area) || area <= 1e-14 * size * size {
             return Err(PolygonError::ZeroArea);
         }
         let normal = area_normal / area;

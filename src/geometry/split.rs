@@ -14,6 +14,7 @@
 use super::polygon::{diameter, newell, without_repeats};
 use super::{Frame, Polygon, PolygonError};
 use glam::{DVec2, DVec3};
+use std::collections::HashMap;
 
 /// The longest outline that [`split`] takes: its work grows with the square of it.
 pub const MAX_CORNERS: usize = 4096;
@@ -168,40 +169,51 @@ fn ears(flat: &[DVec2]) -> Option<Vec<Vec<usize>>> {
     Some(triangles)
 }
 
-/// Takes cuts away again while the two pieces beside them stay convex and planar.
+/// Takes cuts away again where the two pieces beside them make one that is convex.
 fn merged(
     corners: &[DVec3],
-    triangles: Vec<Vec<usize>>,
+    mut pieces: Vec<Vec<usize>>,
 ) -> Result<Vec<Polygon>, PolygonError> {
     let polygon =
         |piece: &[usize]| Polygon::new(piece.iter().map(|&k| corners[k]).collect());
-    let mut pieces = triangles;
-    let mut k = 0;
-    while k < pieces.len() {
-        let join =
-            |j: usize| joined(&pieces[k], &pieces[j]).filter(|p| polygon(p).is_ok());
-        match (k + 1..pieces.len()).find_map(|j| Some((j, join(j)?))) {
-            Some((j, both)) => {
-                pieces[k] = both;
-                pieces.remove(j);
+    let edges = |piece: &[usize]| {
+        let ends = piece.iter().copied().cycle().skip(1);
+        piece.iter().copied().zip(ends).collect::<Vec<_>>()
+    };
+    // On the left of which piece lies an edge?
+    let mut left: HashMap<(usize, usize), usize> = HashMap::new();
+    for (k, piece) in pieces.iter().enumerate() {
+        left.extend(edges(piece).into_iter().map(|edge| (edge, k)));
+    }
+    let cuts: Vec<_> = pieces.iter().flat_map(|piece| edges(piece)).collect();
+    for (a, b) in cuts {
+        let (Some(&one), Some(&other)) = (left.get(&(a, b)), left.get(&(b, a))) else {
+            continue; // an edge of the outline, or a cut taken away from the other side
+        };
+        let both = joined(&pieces[one], &pieces[other], a);
+        if polygon(&both).is_ok() {
+            left.remove(&(a, b));
+            left.remove(&(b, a));
+            for edge in edges(&pieces[other]) {
+                left.entry(edge).and_modify(|piece| *piece = one);
             }
-            None => k += 1,
+            pieces[one] = both;
+            pieces[other].clear();
         }
     }
+    pieces.retain(|piece| !piece.is_empty());
     pieces.iter().map(|piece| polygon(piece)).collect()
 }
 
-/// Two outlines made one along an edge that they share; `None` when they share none.
-fn joined(a: &[usize], b: &[usize]) -> Option<Vec<usize>> {
-    for i in 0..a.len() {
-        let (start, end) = (a[i], a[(i + 1) % a.len()]);
-        let back = (0..b.len()).find(|&j| b[j] == end && b[(j + 1) % b.len()] == start);
-        if let Some(j) = back {
-            // From the edge's end round `a` to its start, then round `b`.
-            let round_a = (0..a.len()).map(|s| a[(i + 1 + s) % a.len()]);
-            let round_b = (2..b.len()).map(|s| b[(j + s) % b.len()]);
-            return Some(round_a.chain(round_b).collect());
-        }
-    }
-    None
+/// Two outlines made one along the edge that leaves `a` in the first.
+fn joined(one: &[usize], other: &[usize], a: usize) -> Vec<usize> {
+    // All of `piece` from just after corner `k` round to it.
+    let round = |piece: &[usize], k: usize| {
+        let at = piece.iter().position(|&corner| corner == k).map_or(0, |at| at + 1);
+        [&piece[at..], &piece[..at]].concat()
+    };
+    let mut both = round(one, a); // b … a
+    both.extend(round(other, a)); // … b a
+    both.truncate(both.len() - 2);
+    both
 }

@@ -11,12 +11,10 @@
 //! | method                | use it when                        | it fails when            |
 //! |-----------------------|------------------------------------|--------------------------|
 //! | [`Stream::next`]      | one number is needed               | many are: clumps         |
-//! | [`Stream::square`]    | `n` points of a square, stratified | `n` is 1: as `next`      |
+//! | [`Stream::points`]    | `n` points that fill a cube evenly | `n` is 1: as `next`      |
 //!
 //! **Not here:** cryptography. Sources: Steele, Lea & Flood 2014;
-//! Roberts 2018 (the R2 sequence); Cranley & Patterson 1976 (random shifts).
-
-use glam::{DVec2, dvec2};
+//! Roberts 2018 (the sequence); Cranley & Patterson 1976 (random shifts).
 
 /// A stream of uniform random numbers with a name.
 #[derive(Clone, Debug)]
@@ -48,12 +46,22 @@ impl Stream {
         (mix(self.state) >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// `n` points that fill the unit square evenly: an R2 sequence with a random shift.
+    /// `n` points that fill the unit cube of `D` dimensions evenly: an additive
+    /// recurrence with a random shift.
     ///
     /// Each point alone is uniform, so that a mean over them is unbiased.
-    pub fn square(&mut self, n: usize) -> impl Iterator<Item = DVec2> + use<> {
-        const STEP: DVec2 = dvec2(0.754_877_666_246_692_8, 0.569_840_290_998_053_2);
-        let shift = dvec2(self.next(), self.next());
-        (0..n).map(move |k| (shift + STEP * k as f64).fract())
+    pub fn points<const D: usize>(
+        &mut self,
+        n: usize,
+    ) -> impl Iterator<Item = [f64; D]> + use<D> {
+        // The generalised golden ratio, x^(D+1) = x + 1; its powers are the steps.
+        let ratio =
+            (0..60).fold(2.0, |x: f64, _| (1.0 + x).powf(1.0 / (D as f64 + 1.0)));
+        let steps: [f64; D] = std::array::from_fn(|k| ratio.powi(-(k as i32 + 1)));
+        let shift: [f64; D] = std::array::from_fn(|_| self.next());
+        let point = move |k: usize| {
+            std::array::from_fn(|d| (shift[d] + steps[d] * k as f64).fract())
+        };
+        (0..n).map(point)
     }
 }

@@ -4,10 +4,36 @@
 //! F_ij = 1/A_i ∫∫ V cosθ_i cosθ_j / (π r²) dA_j dA_i         0 ≤ F_ij ≤ 1, no unit
 //! A_i F_ij = A_j F_ji (reciprocity)      Σ_j F_ij = 1 (closure, in a closed room)
 //! ```
+//!
+//! | method       | use it when                            | it fails when                    |
+//! |--------------|----------------------------------------|----------------------------------|
+//! | [`analytic`] | a factor must be right                 | shafts hold thousands of blockers|
+//! | [`hemicube`] | all factors of a row are due, quickly  | a patch has few cells: aliasing  |
+//! | [`cast`]     | nothing may be assumed                 | never; but error falls as 1/√rays|
+//!
+//! **Not here:** links between groups of elements; mirrors and windows.
+//! Chapters *Form factors* (L07) and *The hemicube* (L10). Sources: Lambert 1760;
+//! Goral et al. 1984; Cohen & Greenberg 1985; Nishita & Nakamae 1985.
 
+pub mod analytic;
+pub mod cast;
+mod contour;
 pub mod hemicube;
+mod matrix;
+mod quadrature;
+mod shaft;
+mod visible;
 
+pub use contour::exchange_by_contour;
+pub use matrix::{Cached, Matrix};
+pub use visible::lambert_visible;
+
+use crate::geometry::{Frame, Polygon, Ray};
 use crate::mesh::ElementId;
+use crate::radiometry::cosine_direction;
+use crate::random::Stream;
+use crate::visibility::Visibility;
+use glam::dvec2;
 
 /// One way to compute form factors: the place where methods are exchanged under a solver.
 pub trait FormFactors: Sync {
@@ -32,4 +58,35 @@ pub struct Lost {
     pub escaped: f64,
     /// Falls on the black back of a surface, and is absorbed there.
     pub absorbed: f64,
+}
+
+/// A ray that carries its share of the power leaving `element`: start and direction from
+/// four numbers in `[0, 1)`; `frame` stands on the element's normal.
+pub fn ray_from(element: &Polygon, frame: &Frame, [a, b, c, d]: [f64; 4]) -> Ray {
+    let direction = frame.world_from_local(cosine_direction(dvec2(c, d)));
+    Ray { origin: element.point_at([a, b]), direction }
+}
+
+/// How many rays count what methods without directions lose.
+const LOST_RAYS: usize = 256;
+
+/// What leaves `element`, a piece of `patch`, and reaches no front: by rays, since
+/// Lambert's formula knows only what it is asked about. In a closed room exactly nothing.
+fn lost_by_rays(
+    surfaces: &Visibility,
+    element: &Polygon,
+    patch: u32,
+    seed: u64,
+    name: ElementId,
+) -> Lost {
+    let frame = Frame::about(element.normal());
+    let mut lost = Lost::default();
+    for u in Stream::named(seed, &[name.0 as u64]).points(LOST_RAYS) {
+        match surfaces.closest(&ray_from(element, &frame, u), Some(patch)) {
+            None => lost.escaped += 1.0 / LOST_RAYS as f64,
+            Some(hit) if !hit.front => lost.absorbed += 1.0 / LOST_RAYS as f64,
+            Some(_) => {}
+        }
+    }
+    lost
 }

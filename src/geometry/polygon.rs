@@ -197,6 +197,23 @@ impl Polygon {
         })
     }
 
+    /// The point at `(u, v)` of the unit square; uniform points give points uniform in area.
+    pub fn point_at(&self, [u, v]: [f64; 2]) -> DVec3 {
+        let a = self.vertices[0];
+        let mut rest = u * self.area;
+        let last = self.vertices.len() - 2;
+        for k in 1..=last {
+            let (b, c) = (self.vertices[k], self.vertices[k + 1]);
+            let area = 0.5 * (b - a).cross(c - a).dot(self.normal);
+            if rest < area || k == last {
+                let along = (rest / area).clamp(0.0, 1.0).sqrt();
+                return a + along * (b.lerp(c, v) - a);
+            }
+            rest -= area;
+        }
+        unreachable!("a polygon has three or more corners")
+    }
+
     fn is_convex(&self) -> bool {
         let n = self.vertices.len();
         let direction = |k: usize| {

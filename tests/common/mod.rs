@@ -26,6 +26,12 @@ pub fn polygon(v: &Value) -> Polygon {
     Polygon::new(vertices).expect("a polygon of the table is fit")
 }
 
+/// The convex pieces of an outline, which need not be convex.
+pub fn pieces(v: &Value) -> Vec<Polygon> {
+    let outline: Vec<DVec3> = v.as_array().expect("vertices").iter().map(point).collect();
+    radiosity::geometry::split(&outline).expect("an outline of the table is fit")
+}
+
 pub fn has_tag(case: &Value, tag: &str) -> bool {
     case["tags"].as_array().is_some_and(|tags| tags.iter().any(|t| t == tag))
 }

@@ -86,24 +86,21 @@ impl Visibility {
         let shear = Shear::along(ray.direction);
         let inverse = ray.direction.recip();
         let mut best: Option<Hit> = None;
-        let mut stack = [0u32; 64];
-        let mut depth = usize::from(!self.nodes.is_empty());
-        while depth > 0 {
-            depth -= 1;
-            let at = stack[depth];
-            let node = &self.nodes[at as usize];
-            let limit = best.map_or(f64::INFINITY, |b| b.distance);
-            if node.entry(ray.origin, inverse) > limit {
+        let mut stack = vec![(0.0, 0u32)];
+        while let Some((entry, at)) = stack.pop() {
+            let Some(node) = self.nodes.get(at as usize) else { break };
+            if best.is_some_and(|b| entry > b.distance) {
                 continue;
             }
             if node.count == 0 {
-                let (a, b) = (at + 1, node.next);
-                let first_is_near = self.nodes[a as usize].entry(ray.origin, inverse)
-                    <= self.nodes[b as usize].entry(ray.origin, inverse);
-                let (near, far) = if first_is_near { (a, b) } else { (b, a) };
-                stack[depth] = far;
-                stack[depth + 1] = near;
-                depth += 2;
+                let child = |at: u32| {
+                    let entry = self.nodes[at as usize].entry(ray.origin, inverse)?;
+                    Some((entry, at))
+                };
+                match (child(at + 1), child(node.next)) {
+                    (Some(a), Some(b)) if a.0 <= b.0 => stack.extend([b, a]),
+                    (a, b) => stack.extend([a, b].into_iter().flatten()),
+                }
                 continue;
             }
             for triangle in self.of_leaf(node) {
@@ -219,8 +216,8 @@ impl Triangle {
 }
 
 impl Node {
-    /// Where a ray enters the box: its distance, or infinity when it misses.
-    fn entry(&self, origin: DVec3, inverse: DVec3) -> f64 {
+    /// Where a ray enters the box: its distance; `None` when it misses.
+    fn entry(&self, origin: DVec3, inverse: DVec3) -> Option<f64> {
         let a = (self.low - origin) * inverse;
         let b = (self.high - origin) * inverse;
         // `min`, `max` drop the NaN of 0·∞: a ray within a side plane counts as inside.
@@ -230,7 +227,7 @@ impl Node {
             leave = leave.min(a[k].max(b[k]));
         }
         // A few units of rounding, so that no box is missed through its edge.
-        if enter <= leave * (1.0 + 1e-12) { enter } else { f64::INFINITY }
+        (enter <= leave * (1.0 + 1e-12)).then_some(enter)
     }
 }
 

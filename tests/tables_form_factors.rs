@@ -34,9 +34,12 @@ fn polygon_to_polygon() {
     assert_eq!(cases.len(), 68);
     let mut wrong = Vec::new();
     for case in &cases {
-        if has_tag(case, "concave") { continue; }
+        if has_tag(case, "concave") {
+            continue;
+        }
         let (a, b) = (pieces(&case["A"]), pieces(&case["B"]));
-        let pairs = a.iter().flat_map(|i| b.iter().map(move |j| exchange(i, j, 1e-300)));
+        let pairs =
+            a.iter().flat_map(|i| b.iter().map(move |j| exchange(i, j, 1e-300)));
         let got = pairs.sum::<f64>() / a.iter().map(Polygon::area).sum::<f64>();
         let expected = case["expected"]["F_AB"].as_f64().unwrap();
         let uncertainty = case["uncertainty_abs"].as_f64().unwrap();

@@ -19,14 +19,13 @@
 
 use super::contour::exchange_by_contour;
 use super::quadrature::{over, points_for};
-use super::shaft::Shaft;
+use super::shaft::Shafts;
 use super::visible::{hides_all, lambert_visible};
 use super::{FormFactors, Lost, lost_by_rays};
-use crate::geometry::Polygon;
+use crate::geometry::{Plane, Polygon};
 use crate::mesh::{ElementId, Mesh};
 use crate::radiometry::projected_solid_angle;
 use crate::scene::Scene;
-use crate::visibility::Visibility;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -107,10 +106,8 @@ fn distance_at_least(i: &Polygon, j: &Polygon) -> f64 {
 pub struct Analytic {
     elements: Vec<Polygon>,
     patch_of: Vec<u32>,
-    surfaces: Vec<Polygon>,
-    visibility: Visibility,
+    shafts: Shafts,
     tolerance: f64,
-    margin: f64,
     seed: u64,
 }
 
@@ -121,15 +118,11 @@ impl Analytic {
     /// Factors between the elements of `mesh`, each with an absolute error near
     /// `tolerance`; `seed` chooses the rays that count what escapes.
     pub fn new(scene: &Scene, mesh: &Mesh, tolerance: f64, seed: u64) -> Analytic {
-        let surfaces: Vec<Polygon> =
-            scene.surfaces.iter().map(|s| s.polygon.clone()).collect();
         Analytic {
             elements: mesh.polygons().cloned().collect(),
             patch_of: mesh.elements.iter().map(|e| e.patch.0).collect(),
-            visibility: Visibility::new(&surfaces),
-            surfaces,
+            shafts: Shafts::of(scene),
             tolerance,
-            margin: 1e-9 * scene.diagonal(),
             seed,
         }
     }
@@ -138,13 +131,12 @@ impl Analytic {
     pub fn exchange(&self, i: ElementId, j: ElementId) -> f64 {
         let (a, b) = (&self.elements[i.0 as usize], &self.elements[j.0 as usize]);
         let Some((a, b)) = facing(a, b) else { return 0.0 };
-        let between = Shaft::between(&a, &b, self.margin).candidates(&self.visibility);
-        self.exchange_past(&a, &b, &between)
+        self.exchange_past(&a, &b, &self.shafts.between(&a, &b))
     }
 
     fn exchange_past(&self, a: &Polygon, b: &Polygon, between: &[u32]) -> f64 {
         let blockers: Vec<&Polygon> =
-            between.iter().map(|&k| &self.surfaces[k as usize]).collect();
+            between.iter().map(|&k| &self.shafts.surfaces()[k as usize]).collect();
         let (small, large) = by_size(a, b);
         let allowed = self.tolerance * small.area().min(large.area());
         self.past_blockers(small, large, &blockers, None, allowed, DEEPEST)
@@ -161,11 +153,7 @@ impl Analytic {
         allowed: f64,
         depth: u32,
     ) -> f64 {
-        let mut blockers = blockers.to_vec();
-        if !blockers.is_empty() {
-            let shaft = Shaft::between(from, to, self.margin);
-            blockers.retain(|blocker| !shaft.misses(blocker));
-        }
+        let blockers = self.shafts.narrowed(blockers, from, to);
         if blockers.is_empty() {
             return exchange_of_facing(from, to, self.tolerance);
         }
@@ -198,7 +186,7 @@ fn quarters(polygon: &Polygon) -> Vec<Polygon> {
             .max_by(|(a, b), (c, d)| a.distance(*b).total_cmp(&c.distance(*d)))
             .expect("a polygon has edges");
         let along = (longest.1 - longest.0).normalize();
-        let plane = crate::geometry::Plane::through(p.centroid(), along);
+        let plane = Plane::through(p.centroid(), along);
         [p.clipped(plane), p.clipped(plane.flipped())].into_iter().flatten()
     };
     cut(polygon).flat_map(|half| cut(&half).collect::<Vec<_>>()).collect()
@@ -222,15 +210,14 @@ impl FormFactors for Analytic {
             let Some((a, b)) = facing(element, other) else { continue };
             // What may stand between the element and the whole other patch is found once.
             if known.as_ref().is_none_or(|(of, _)| *of != patch) {
-                let target = &self.surfaces[patch as usize];
-                let shaft = Shaft::between(element, target, self.margin);
-                known = Some((patch, shaft.candidates(&self.visibility)));
+                let target = &self.shafts.surfaces()[patch as usize];
+                known = Some((patch, self.shafts.between(element, target)));
             }
             let between = &known.as_ref().expect("just found").1;
             *factor = self.exchange_past(&a, &b, between) / element.area();
         }
         lost_by_rays(
-            &self.visibility,
+            self.shafts.visibility(),
             element,
             self.patch_of[from.0 as usize],
             self.seed,

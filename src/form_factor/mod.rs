@@ -26,6 +26,7 @@ mod visible;
 
 pub use contour::exchange_by_contour;
 pub use matrix::{Cached, Matrix};
+pub use shaft::Shafts;
 pub use visible::lambert_visible;
 
 use crate::geometry::{Frame, Polygon, Ray};

@@ -6,18 +6,69 @@
 //! Sources: Haines & Wallace 1991 (shaft culling).
 
 use crate::geometry::{Plane, Polygon};
+use crate::scene::Scene;
 use crate::visibility::Visibility;
 use glam::DVec3;
 
+/// The surfaces of a scene, ready to be asked what stands between two polygons.
+pub struct Shafts {
+    visibility: Visibility,
+    surfaces: Vec<Polygon>,
+    margin: f64,
+}
+
+impl Shafts {
+    /// Those of a scene.
+    pub fn of(scene: &Scene) -> Shafts {
+        let surfaces: Vec<Polygon> =
+            scene.surfaces.iter().map(|s| s.polygon.clone()).collect();
+        let visibility = Visibility::new(&surfaces);
+        Shafts { visibility, surfaces, margin: 1e-9 * scene.diagonal() }
+    }
+
+    /// The surfaces, in order of the scene's.
+    pub fn surfaces(&self) -> &[Polygon] {
+        &self.surfaces
+    }
+
+    /// Rays against the surfaces.
+    pub fn visibility(&self) -> &Visibility {
+        &self.visibility
+    }
+
+    /// The surfaces that reach into the shaft between two polygons, in order: all that may
+    /// hide some of one from some of the other.
+    pub fn between(&self, i: &Polygon, j: &Polygon) -> Vec<u32> {
+        let shaft = Shaft::between(i, j, self.margin);
+        let mut found = shaft.candidates(&self.visibility);
+        found.retain(|&k| !shaft.misses(&self.surfaces[k as usize]));
+        found
+    }
+
+    /// Those of `blockers` that reach into the shaft.
+    pub(super) fn narrowed<'a>(
+        &self,
+        blockers: &[&'a Polygon],
+        i: &Polygon,
+        j: &Polygon,
+    ) -> Vec<&'a Polygon> {
+        if blockers.is_empty() {
+            return Vec::new();
+        }
+        let shaft = Shaft::between(i, j, self.margin);
+        blockers.iter().copied().filter(|b| !shaft.misses(b)).collect()
+    }
+}
+
 /// Planes that have both polygons on their front.
-pub(super) struct Shaft {
+struct Shaft {
     planes: Vec<Plane>,
     margin: f64,
 }
 
 impl Shaft {
     /// The shaft between two polygons; what protrudes less than `margin` is outside.
-    pub(super) fn between(i: &Polygon, j: &Polygon, margin: f64) -> Shaft {
+    fn between(i: &Polygon, j: &Polygon, margin: f64) -> Shaft {
         let mut planes = vec![i.plane(), j.plane()];
         for (from, to) in [(i, j), (j, i)] {
             for (a, b) in from.edges() {
@@ -29,14 +80,14 @@ impl Shaft {
     }
 
     /// Is the whole of `blocker` outside?
-    pub(super) fn misses(&self, blocker: &Polygon) -> bool {
+    fn misses(&self, blocker: &Polygon) -> bool {
         self.planes.iter().any(|plane| {
             blocker.vertices().iter().all(|&v| plane.height(v) <= self.margin)
         })
     }
 
     /// The items, in order, that may reach into the shaft.
-    pub(super) fn candidates(&self, scene: &Visibility) -> Vec<u32> {
+    fn candidates(&self, scene: &Visibility) -> Vec<u32> {
         let outside = |low: DVec3, high: DVec3| {
             let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
             let top = |p: &Plane| p.height(middle) + p.normal.abs().dot(half);

@@ -1,1 +1,113 @@
-//! Placeholder header, to be replaced by the module.
+//! Solving the radiosity equation, with an account of where the light went.
+//!
+//! ```text
+//! B_i = E_i + ρ_i Σ_j F_ij B_j                             gathering, W/m²
+//! A_i B_i = A_i E_i + ρ_i Σ_j F_ji A_j B_j                 the same as power, W
+//! emitted = absorbed + escaped + unshot + imbalance        the ledger, W
+//! ```
+//!
+//! | method     | use it when                                    | it fails when              |
+//! |------------|------------------------------------------------|----------------------------|
+//! | [`Gather`] | all factors are at hand                        | ρ → 1: sweeps ~ 1/(1 − ρ)  |
+//! | [`Shoot`]  | a picture is wanted early, factors row by row  | every last bit is wanted   |
+//!
+//! Both are iterators: each step yields the [`Ledger`] and the residual. Not converging is
+//! a value, never an error. A [`Certificate`] then says how far the field is from the truth.
+//!
+//! **Not here:** the factors ([`crate::form_factor`]); what a camera sees.
+//! Chapters *The radiosity equation* (L06), *Progressive refinement* (L13, L14).
+//! Sources: Goral et al. 1984; Cohen & Greenberg 1985; Cohen, Chen, Wallace &
+//! Greenberg 1988.
+
+mod certificate;
+mod gather;
+mod ledger;
+mod shoot;
+mod solution;
+
+pub use certificate::{Certificate, Sampling, certify};
+pub use gather::Gather;
+pub use ledger::Ledger;
+pub use shoot::{Brightest, Shoot};
+pub use solution::{Factors, Method, Options, Progress, Solution, solve, solve_on};
+
+use crate::geometry::Rgb;
+use crate::mesh::{ElementId, Mesh};
+use crate::scene::Scene;
+
+/// The knowns of the radiosity equation but for the form factors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Enclosure {
+    /// `A_i`, scene units squared.
+    pub area: Vec<f64>,
+    /// `E_i`, emitted radiosity, W/m².
+    pub emission: Vec<Rgb>,
+    /// `ρ_i`, diffuse reflectance, in `[0, 1)`.
+    pub reflectance: Vec<Rgb>,
+}
+
+impl Enclosure {
+    /// Those of the elements of a mesh.
+    pub fn of(scene: &Scene, mesh: &Mesh) -> Enclosure {
+        let material = |e: &crate::mesh::Element| {
+            &scene.materials[mesh.patch_of(e).material.0 as usize]
+        };
+        Enclosure {
+            area: mesh.elements.iter().map(|e| e.polygon.area()).collect(),
+            emission: mesh.elements.iter().map(|e| material(e).emission()).collect(),
+            reflectance: mesh.elements.iter().map(|e| material(e).diffuse()).collect(),
+        }
+    }
+
+    /// How many elements.
+    pub fn len(&self) -> usize {
+        self.area.len()
+    }
+
+    /// Is there none?
+    pub fn is_empty(&self) -> bool {
+        self.area.is_empty()
+    }
+
+    /// `ρ_max`, per channel.
+    pub fn largest_reflectance(&self) -> Rgb {
+        self.reflectance.iter().fold(Rgb::ZERO, |m, &rho| m.max(rho))
+    }
+
+    /// `Σ A_i x_i`: a radiosity summed to power, W.
+    pub fn power(&self, x: impl IntoIterator<Item = Rgb>) -> Rgb {
+        self.area.iter().zip(x).map(|(&area, x)| area * x).sum()
+    }
+
+    /// `‖x‖² = Σ A_i x_i²`, per channel: the area norm, squared.
+    pub fn norm_squared(&self, x: impl IntoIterator<Item = Rgb>) -> Rgb {
+        self.power(x.into_iter().map(|x| x * x))
+    }
+
+    /// `‖r‖ / ‖B − E‖` in the worst channel: the solver's residual relative to the
+    /// reflected light. 0 where nothing is left, ∞ where nothing is reflected yet.
+    fn relative_residual(&self, residual: &[Rgb], radiosity: &[Rgb]) -> f64 {
+        let r = self.norm_squared(residual.iter().copied());
+        let reflected = radiosity.iter().zip(&self.emission).map(|(&b, &e)| b - e);
+        let scale = self.norm_squared(reflected);
+        let ratio = |k: usize| if r[k] == 0.0 { 0.0 } else { (r[k] / scale[k]).sqrt() };
+        (0..3).map(ratio).fold(0.0, f64::max)
+    }
+}
+
+/// What a solver says after a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Step {
+    /// Where the light is now.
+    pub ledger: Ledger,
+    /// `‖r‖ / ‖B − E‖`, area norm, worst channel: algebraic, of the discrete system.
+    pub residual: f64,
+    /// Which element was shot; `None` for a sweep.
+    pub shot: Option<ElementId>,
+}
+
+/// `residual / (1 − ρ_max)`, worst channel: an upper bound of the relative error of the
+/// discrete solution, for reciprocal factors whose rows sum to one at most.
+pub fn error_bound(residual: f64, largest_reflectance: Rgb) -> f64 {
+    residual / (1.0 - largest_reflectance.max_element())
+}

@@ -7,7 +7,8 @@ use serde_json::Value;
 
 /// The cases of one table.
 pub fn cases(table: &str) -> Vec<Value> {
-    let path = format!("{}/tests/data/accuracy/{table}.json", env!("CARGO_MANIFEST_DIR"));
+    let path =
+        format!("{}/tests/data/accuracy/{table}.json", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).expect(&path);
     let mut file: Value = serde_json::from_str(&text).expect(&path);
     match file["cases"].take() {
@@ -28,7 +29,8 @@ pub fn polygon(v: &Value) -> Polygon {
 
 /// The convex pieces of an outline, which need not be convex.
 pub fn pieces(v: &Value) -> Vec<Polygon> {
-    let outline: Vec<DVec3> = v.as_array().expect("vertices").iter().map(point).collect();
+    let outline: Vec<DVec3> =
+        v.as_array().expect("vertices").iter().map(point).collect();
     radiosity::geometry::split(&outline).expect("an outline of the table is fit")
 }
 

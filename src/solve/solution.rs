@@ -1,0 +1,235 @@
+//! Pass 1 as a whole: mesh, factors, solver, certificate - and finer, until it suffices.
+
+use super::{
+    Brightest, Certificate, Enclosure, Gather, Ledger, Sampling, Shoot, Step, certify,
+    error_bound,
+};
+use crate::form_factor::analytic::Analytic;
+use crate::form_factor::cast::Cast;
+use crate::form_factor::hemicube::Hemicube;
+use crate::form_factor::{Cached, FormFactors, Matrix};
+use crate::geometry::Rgb;
+use crate::mesh::Mesh;
+use crate::scene::Scene;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// How the equation is solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Method {
+    /// Gauss–Seidel over the whole matrix.
+    Gather,
+    /// Progressive shooting.
+    #[default]
+    Shoot,
+}
+
+/// How form factors are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Factors {
+    /// Lambert's formula and cut blockers.
+    #[default]
+    Analytic,
+    /// Rays: so many from each element.
+    Sampling(usize),
+    /// Hemicubes of this resolution.
+    Hemicube(u32),
+}
+
+/// What is asked of a solution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// The solver.
+    pub method: Method,
+    /// The form factors.
+    pub factors: Factors,
+    /// The largest certified error asked for, relative; see [`Certificate`].
+    pub tolerance: f64,
+    /// The most elements that may be used to reach it.
+    pub most_elements: usize,
+    /// Names the random streams.
+    pub seed: u64,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options {
+            method: Method::default(),
+            factors: Factors::default(),
+            tolerance: 0.01,
+            most_elements: 4000,
+            seed: 0,
+        }
+    }
+}
+
+/// How far a computation has come: what it does, steps done, steps in all.
+pub type Progress<'a> = &'a (dyn Fn(&'static str, usize, usize) + Sync);
+
+/// The light of a scene.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// The elements.
+    pub mesh: Mesh,
+    /// `B`, W/m², per element.
+    pub radiosity: Vec<Rgb>,
+    /// `H`, W/m², per element, on the front.
+    pub irradiance: Vec<Rgb>,
+    /// `B`, W/m², per vertex of the mesh: what smooth shading shows, and is certified.
+    pub vertex_radiosity: Vec<Rgb>,
+    /// `B` with the ambient guess, per element: for display only.
+    pub displayed: Vec<Rgb>,
+    /// Where the light went.
+    pub ledger: Ledger,
+    /// `‖r‖/‖B − E‖` of the discrete system.
+    pub solver_residual: f64,
+    /// How many sweeps or shots.
+    pub steps: usize,
+    /// How far the smooth field is from the truth.
+    pub certificate: Certificate,
+    /// Is the certified error below the tolerance asked for?
+    pub converged: bool,
+}
+
+/// The solver's own error may be this share of the tolerance; the mesh has the rest.
+const SOLVER_SHARE: f64 = 0.1;
+
+/// Solves a scene: from a coarse mesh to ever finer ones, until the certificate meets the
+/// tolerance or the next mesh would have too many elements.
+///
+/// Deterministic: the same at any number of threads.
+pub fn solve(scene: &Scene, options: &Options, progress: Progress) -> Solution {
+    let area: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
+    // 400 elements to begin with, or what the scene has anyway.
+    let mut edge = (area / 400.0).sqrt();
+    loop {
+        let mesh = Mesh::uniform(scene, edge);
+        let solution = solve_on(scene, mesh, options, progress);
+        // The error of a field on a mesh of edge h falls no faster than h.
+        let finer =
+            edge * (options.tolerance / solution.certificate.high).clamp(0.4, 0.8);
+        let too_fine = Mesh::count_uniform(scene, finer) > options.most_elements as f64;
+        if solution.converged || too_fine {
+            return solution;
+        }
+        edge = finer;
+    }
+}
+
+/// Solves a scene on a given mesh.
+pub fn solve_on(
+    scene: &Scene,
+    mesh: Mesh,
+    options: &Options,
+    progress: Progress,
+) -> Solution {
+    let enclosure = Enclosure::of(scene, &mesh);
+    let n = mesh.elements.len();
+    let method: Box<dyn FormFactors + '_> = match options.factors {
+        Factors::Analytic => {
+            let tolerance = 0.02 / n as f64;
+            Box::new(Analytic::new(scene, &mesh, tolerance, options.seed))
+        }
+        Factors::Sampling(rays) => Box::new(Cast::new(&mesh, rays, options.seed)),
+        Factors::Hemicube(resolution) => Box::new(Hemicube::new(&mesh, resolution)),
+    };
+    let solve_by = match options.method {
+        Method::Gather => gather,
+        Method::Shoot => shoot,
+    };
+    let Light { radiosity, irradiance, displayed, last, steps } =
+        solve_by(&enclosure, method.as_ref(), options, progress);
+    drop(method);
+    let vertex_radiosity = mesh.vertex_values(&radiosity);
+    progress("certifying", 0, 1);
+    let field = |id, x| mesh.value_at(id, x, &vertex_radiosity);
+    let sampling = Sampling { seed: options.seed, ..Sampling::default() };
+    let certificate = certify(scene, &mesh, &field, sampling);
+    progress("certifying", 1, 1);
+    Solution {
+        mesh,
+        radiosity,
+        irradiance,
+        vertex_radiosity,
+        displayed,
+        ledger: last.ledger,
+        solver_residual: last.residual,
+        steps,
+        certificate,
+        converged: certificate.high <= options.tolerance,
+    }
+}
+
+/// What a solver leaves behind.
+struct Light {
+    radiosity: Vec<Rgb>,
+    irradiance: Vec<Rgb>,
+    displayed: Vec<Rgb>,
+    last: Step,
+    steps: usize,
+}
+
+/// Steps a solver takes at the most, sweeps or shots.
+const MOST_STEPS: usize = 200_000;
+
+/// Is the solver's own error small beside what is asked for?
+fn suffices(step: &Step, enclosure: &Enclosure, options: &Options) -> bool {
+    let bound = error_bound(step.residual, enclosure.largest_reflectance());
+    bound <= SOLVER_SHARE * options.tolerance
+}
+
+fn gather(
+    enclosure: &Enclosure,
+    method: &dyn FormFactors,
+    options: &Options,
+    progress: Progress,
+) -> Light {
+    let n = enclosure.len();
+    let rows = AtomicUsize::new(0);
+    let matrix = Matrix::of(method, || {
+        progress("form factors", rows.fetch_add(1, Ordering::Relaxed) + 1, n);
+    });
+    let mut solver = Gather::new(enclosure, &matrix);
+    let (mut last, mut steps) = (Step::default(), 0);
+    for step in solver.by_ref().take(MOST_STEPS) {
+        (last, steps) = (step, steps + 1);
+        if suffices(&step, enclosure, options) {
+            break;
+        }
+    }
+    let radiosity = solver.radiosity().to_vec();
+    let irradiance = solver.irradiance().to_vec();
+    Light { displayed: radiosity.clone(), radiosity, irradiance, last, steps }
+}
+
+/// Rows are computed for this many of the brightest elements at once, one a thread.
+const AHEAD: usize = 16;
+
+fn shoot(
+    enclosure: &Enclosure,
+    method: &dyn FormFactors,
+    options: &Options,
+    progress: Progress,
+) -> Light {
+    let n = enclosure.len();
+    let cached = Cached::new(method);
+    let mut solver = Shoot::new(enclosure, &cached, Brightest::ByPower);
+    let (mut last, mut steps) = (Step::default(), 0);
+    while steps < MOST_STEPS {
+        if steps % AHEAD == 0 {
+            cached.prepare(&solver.brightest(AHEAD));
+            progress("shooting", cached.computed(), n);
+        }
+        let Some(step) = solver.next() else { break };
+        (last, steps) = (step, steps + 1);
+        if suffices(&step, enclosure, options) {
+            break;
+        }
+    }
+    Light {
+        radiosity: solver.radiosity().to_vec(),
+        irradiance: solver.irradiance().to_vec(),
+        displayed: solver.with_ambient(),
+        last,
+        steps,
+    }
+}

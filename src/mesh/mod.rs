@@ -161,44 +161,6 @@ impl Mesh {
         }
         sums.into_iter().map(|(sum, weight)| sum / weight).collect()
     }
-
-    /// The value at `x` on element `id` between its vertices' values, smoothly.
-    ///
-    /// ```text
-    /// λₖ ∝ (tan(αₖ₋₁/2) + tan(αₖ/2)) / |vₖ − x|       αₖ the angle of edge k seen from x
-    /// ```
-    /// Mean value coordinates (Floater 2003): linear along edges, so that neighbours agree;
-    /// on a triangle they are the barycentric ones.
-    pub fn value_at(&self, id: ElementId, x: DVec3, of_vertices: &[Rgb]) -> Rgb {
-        let element = self.element(id);
-        let corners = element.polygon.vertices();
-        let value = |k: usize| of_vertices[element.corners[k].0 as usize];
-        let n = corners.len();
-        let mut half_before = f64::NAN;
-        let (mut sum, mut weights) = (Rgb::ZERO, 0.0);
-        for step in 0..=n {
-            let (k, next) = (step % n, (step + 1) % n);
-            let (a, b) = (corners[k] - x, corners[next] - x);
-            let (la, lb) = (a.length(), b.length());
-            // tan(α/2) = (|a||b| − a·b) / |a×b|
-            let (rise, run) = (la * lb - a.dot(b), a.cross(b).length());
-            if run <= 1e-12 * la * lb || run == 0.0 {
-                if a.dot(b) <= 0.0 {
-                    // On the edge (or a corner): linear between its ends.
-                    let along = if la + lb > 0.0 { la / (la + lb) } else { 0.0 };
-                    return value(k).lerp(value(next), along);
-                }
-            }
-            let half = rise / run;
-            if step > 0 {
-                let weight = (half_before + half) / la;
-                sum += weight * value(k);
-                weights += weight;
-            }
-            half_before = half;
-        }
-        sum / weights
-    }
 }
 
 /// Gives corners that coincide the same vertex.

@@ -141,7 +141,7 @@ pub fn solve_on(
     drop(method);
     let vertex_radiosity = mesh.vertex_values(&radiosity);
     progress("certifying", 0, 1);
-    let field = |id, x| mesh.value_at(id, x, &vertex_radiosity);
+    let field = |id, x| mesh.value_at(mesh.element(id), x, &vertex_radiosity);
     let sampling = Sampling { seed: options.seed, ..Sampling::default() };
     let certificate = certify(scene, &mesh, &field, sampling);
     progress("certifying", 1, 1);

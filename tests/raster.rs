@@ -91,12 +91,12 @@ proptest! {
         let count = cover(&view, &fan(1.3, 20, seed));
         let whole = cover(&view, &cut_square(1.3, 0, seed));
         // The fan's rim has corners that the square's edges lack; snapped, they bend it by
-        // 1/131072 pixel. No pixel centre of these cases lies so near.
+        // 1e-7 pixel. No pixel centre of these cases lies so near.
         prop_assert_eq!(count, whole);
     }
 
     /// Cuts leave corners in the middle of a neighbour's edge. Snapping moves them by up
-    /// to 1/131072 pixel, so a pixel centre is hit with a probability of about 1e-5.
+    /// to 1e-7 pixel, so a pixel centre is hit with a probability of about 1e-6 a pixel.
     #[test]
     fn cut_pieces_cover_nearly_every_pixel_once(seed: u64, cuts in 1..8_usize) {
         let count = cover(&straight(), &cut_square(1.5, cuts, seed));
@@ -123,6 +123,22 @@ proptest! {
                 prop_assert_eq!(seen, expected, "pixel {}", k);
             }
         }
+    }
+
+    /// No polygon, however large, small, near or far, writes beside the picture.
+    #[test]
+    fn extreme_polygons_do_no_harm(seed: u64, width in 1..40_u32, height in 1..40_u32) {
+        let mut random = Stream::named(seed, &[]);
+        let mut number = || (random.next() - 0.5) * 10_f64.powf(24.0 * random.next() - 12.0);
+        let mut buffer = ItemBuffer::new(width, height);
+        for id in 0..20 {
+            let mut point = || dvec3(number(), number(), number());
+            let view = View::new(point() * 1e-6, DVec3::X, DVec3::Y, DVec3::Z);
+            if let Ok(polygon) = Polygon::new(vec![point(), point(), point()]) {
+                buffer.draw(&view, &polygon, id);
+            }
+        }
+        prop_assert_eq!(buffer.pixels().count() as u32, width * height);
     }
 
     /// The order of drawing does not matter, and ids survive.

@@ -8,8 +8,8 @@
 //! Here `n · (p − eye) = h` is the plane of the polygon, `n` carried to picture coordinates.
 //!
 //! A polygon goes through three steps: it is **clipped** to the pyramid, its corners are
-//! **snapped** to a grid of 1/65536 pixel, and its rows are **filled** by integer
-//! arithmetic. A pixel belongs to the polygon that holds its centre; on an edge the left
+//! **snapped** to a grid that is much finer than a pixel, and its rows are **filled** by
+//! integer arithmetic. A pixel belongs to the polygon that holds its centre; on an edge the left
 //! and the top one own it. Neighbours that share corners therefore leave no pinhole
 //! between them, and no pixel is drawn by both.
 //!

@@ -13,13 +13,34 @@
 use glam::DVec3;
 use std::ops::Range;
 
-/// Corners are snapped to 1/65536 of a pixel: with pictures of up to 2¹⁴ pixels a side,
-/// products of two coordinates stay below 2⁶¹ and fit an `i64`.
-const BITS: u32 = 16;
-const ONE: i64 = 1 << BITS;
-const HALF: i64 = ONE / 2;
+/// The grid to which corners are snapped: `2^bits` steps to a pixel.
+///
+/// As fine as integers allow: a coordinate stays within 2³⁰, so that sums of two products
+/// of coordinates stay below 2⁶² and fit an `i64`. At 128 pixels a side a step is 1e-7
+/// pixel, at 16384 it is 1/65536.
+#[derive(Clone, Copy)]
+struct Grid {
+    bits: u32,
+}
 
-/// A corner on the picture, in 1/65536 pixels, `y` down.
+impl Grid {
+    fn new(width: u32, height: u32) -> Grid {
+        let pixels = width.max(height).next_power_of_two();
+        Grid { bits: 30 - pixels.trailing_zeros() }
+    }
+
+    /// One pixel, in steps.
+    fn one(self) -> i64 {
+        1 << self.bits
+    }
+
+    /// The first row whose centre is at or below `y`.
+    fn row_from(self, y: i64) -> i64 {
+        (y + self.one() / 2 - 1) >> self.bits
+    }
+}
+
+/// A corner on the picture, in steps of the grid, `y` down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Corner {
     x: i64,
@@ -42,25 +63,29 @@ impl Spans {
         width: u32,
         height: u32,
     ) -> impl Iterator<Item = (usize, Range<usize>)> + use<'_> {
-        let scale = |size: u32| 0.5 * size as f64 * ONE as f64;
-        let (sx, sy) = (scale(width), scale(height));
-        // `+ 0.5` and the cast round: the numbers are not negative but for rounding.
+        let grid = Grid::new(width, height);
+        // Clipped corners may stray outside by rounding, hence the clamp; `+ 0.5` and the
+        // cast round numbers that are not negative.
+        let snap = |at: f64, size: u32| {
+            let end = size as f64 * grid.one() as f64;
+            (0.5 * at * end + 0.5).clamp(0.0, end) as i64
+        };
         let snap = |v: &DVec3| Corner {
-            x: ((1.0 + v.x / v.z) * sx + 0.5) as i64,
-            y: ((1.0 - v.y / v.z) * sy + 0.5) as i64,
+            x: snap(1.0 + v.x / v.z, width),
+            y: snap(1.0 - v.y / v.z, height),
         };
         self.corners.clear();
         self.corners.extend(outline.iter().map(snap));
-        let low = self.corners.iter().map(|c| row_from(c.y)).min().unwrap_or(0);
-        let high = self.corners.iter().map(|c| row_from(c.y)).max().unwrap_or(0);
+        let low = self.corners.iter().map(|c| grid.row_from(c.y)).min().unwrap_or(0);
+        let high = self.corners.iter().map(|c| grid.row_from(c.y)).max().unwrap_or(0);
         self.rows.clear();
         self.rows.resize((high - low) as usize, (i64::MAX, i64::MIN));
         for k in 0..self.corners.len() {
             let (a, b) = (self.corners[k], self.corners[(k + 1) % self.corners.len()]);
             if a.y < b.y {
-                follow(a, b, low, &mut self.rows);
+                follow(grid, a, b, low, &mut self.rows);
             } else {
-                follow(b, a, low, &mut self.rows);
+                follow(grid, b, a, low, &mut self.rows);
             }
         }
         let row = move |(k, &(start, end)): (usize, &(i64, i64))| {
@@ -70,26 +95,22 @@ impl Spans {
     }
 }
 
-/// The first row whose centre is at or below `y`.
-fn row_from(y: i64) -> i64 {
-    (y + HALF - 1) >> BITS
-}
-
 // ANCHOR: follow
 /// Follows the edge from `a` down to `b` and widens the spans of `rows` (the first of which
 /// is row `low`) to the first pixel right of it.
-fn follow(a: Corner, b: Corner, low: i64, rows: &mut [(i64, i64)]) {
-    let (first, end) = (row_from(a.y), row_from(b.y));
+fn follow(grid: Grid, a: Corner, b: Corner, low: i64, rows: &mut [(i64, i64)]) {
+    let (first, end) = (grid.row_from(a.y), grid.row_from(b.y));
     if first == end {
         return; // no row's centre lies between them
     }
     let (dx, dy) = (b.x - a.x, b.y - a.y);
     // column = ⌈top/bottom⌉, kept as a quotient and a remainder from row to row
-    let bottom = ONE * dy;
-    let top = (a.x - HALF) * dy + (first * ONE + HALF - a.y) * dx + bottom - 1;
+    let (one, half) = (grid.one(), grid.one() / 2);
+    let bottom = one * dy;
+    let top = (a.x - half) * dy + (first * one + half - a.y) * dx + bottom - 1;
     let (mut column, mut rest) = (top.div_euclid(bottom), top.rem_euclid(bottom));
     let (step, step_rest) =
-        ((ONE * dx).div_euclid(bottom), (ONE * dx).rem_euclid(bottom));
+        ((one * dx).div_euclid(bottom), (one * dx).rem_euclid(bottom));
     for (left, right) in &mut rows[(first - low) as usize..(end - low) as usize] {
         *left = column.min(*left);
         *right = column.max(*right);

@@ -74,7 +74,8 @@ fn exposure_leaves_the_lamp_to_clamp() {
     assert_eq!(Picture::new(4, 4).auto_exposure(), 1.0);
 }
 
-/// `.hdr` and `.exr` hold the radiance itself: EXR as f32, HDR to a shared exponent's 1 %.
+/// `.hdr` and `.exr` hold the radiance itself: EXR as f32, HDR to a shared exponent's 1
+/// %.
 #[test]
 fn linear_files_hold_radiance() {
     let mut picture = Picture::new(9, 2);
@@ -161,8 +162,8 @@ fn interpolation_is_bilinear_on_rectangles() {
     }
 }
 
-/// A linear field is shown as it is, in perspective: each pixel has the radiance `B/π` of
-/// the point that it looks at (except beside outlines, where a pixel may look past).
+/// A linear field is shown as it is, in perspective: each pixel has the radiance `B/π`
+/// of the point that it looks at (except beside outlines, where a pixel may look past).
 #[test]
 fn smooth_shading_is_correct_in_perspective() {
     let scene = cornell();
@@ -245,8 +246,9 @@ fn pictures_of_an_unfolded_hemicube() {
     assert_picture(PICTURES, "hemicube-weights", &of_weights);
 }
 
-/// Cells that lie side by side on the unfolded hemicube lie side by side on the cube, also
-/// across its edges: their directions, drawn as colours, differ by a cell's width at most.
+/// Cells that lie side by side on the unfolded hemicube lie side by side on the cube,
+/// also across its edges: their directions, drawn as colours, differ by a cell's width
+/// at most.
 #[test]
 fn the_cross_is_cut_only_where_it_must_be() {
     let mesh = Mesh::whole(&cornell());

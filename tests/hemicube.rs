@@ -106,7 +106,8 @@ fn every_cell_weighs_something() {
 }
 
 /// The error is that of the outline: at most the cells it crosses, 4·128 of weight
-/// 1/(π·128²) each for a square of half the top's width; and far less, for they average out.
+/// 1/(π·128²) each for a square of half the top's width; and far less, for they average
+/// out.
 #[test]
 fn the_opposite_square_is_found() {
     let mesh = mesh_of(vec![lid(1.0, DVec3::Z)], 9.0);
@@ -118,8 +119,8 @@ fn the_opposite_square_is_found() {
 }
 
 /// Every case of the table. An edge that runs along the cells is off by half a cell at
-/// most; through the zenith, half a cell of width `h` = 2/512 weighs
-/// `h/2 ∫ 1/(π (1 + y²)²) dy = h/4`, a thousandth. Edges across the cells do far better.
+/// most; through the zenith, half a cell of width `h` = 2/512 weighs `h/2 ∫ 1/(π (1 +
+/// y²)²) dy = h/4`, a thousandth. Edges across the cells do far better.
 #[test]
 fn the_hemicube_meets_the_table_of_polygons() {
     let text = include_str!("data/point_polygon.json");
@@ -211,8 +212,9 @@ fn near_by_the_centre_is_not_the_mean() {
     }
 }
 
-/// Failures 18 and 19, aliasing: a small square faces the eye from distance 1, in random
-/// directions. Root mean square of the relative error, and how often it is missed.
+/// Failures 18 and 19, aliasing: a small square faces the eye from distance 1, in
+/// random directions. Root mean square of the relative error, and how often it is
+/// missed.
 #[test]
 fn small_patches_alias() {
     for (resolution, side, rms, missed) in [
@@ -226,8 +228,9 @@ fn small_patches_alias() {
         (256, 0.02, 0.115, 0.0),
     ] {
         let (got_rms, got_missed) = aliasing(resolution, side, 4000);
-        // The published squares lie along the cells, which makes it worse by up to 40 %;
-        // ours are also rolled at random. Four thousand places: known to a few per cent.
+        // The published squares lie along the cells, which makes it worse by up to 40
+        // %; ours are also rolled at random. Four thousand places: known to a few per
+        // cent.
         assert!(
             (0.7..1.1).contains(&(got_rms / rms)),
             "{resolution} {side}: {got_rms}"
@@ -274,21 +277,23 @@ fn aliasing(resolution: u32, side: f64, places: u64) -> (f64, f64) {
     ((squares / places as f64).sqrt(), missed / places as f64)
 }
 
-/// Failure 20: one cell of the top is so heavy that shooting through it at a tiny element
-/// sends more than there is: `F_ji = F_ij A_i/A_j > 1` once `A_i/A_j` exceeds `1/ΔF`.
+/// Failure 20: one cell of the top is so heavy that shooting through it at a tiny
+/// element sends more than there is: `F_ji = F_ij A_i/A_j > 1` once `A_i/A_j` exceeds
+/// `1/ΔF`.
 #[test]
 fn one_cell_limits_the_ratio_of_areas() {
     for (resolution, ratio) in [(32, 804.0), (64, 3217.0), (256, 51_472.0)] {
         let weights = Weights::exact(resolution);
         let heaviest = weights.of(Face::Top).iter().copied().fold(0.0, f64::max);
-        // over a cell of width h at the zenith, 1/(x² + y² + 1)² falls by 4h²/3 in the mean
+        // over a cell of width h at the zenith, 1/(x² + y² + 1)² falls by 4h²/3 in the
+        // mean
         let tolerance = 6.0 / f64::from(resolution).powi(2) + 3e-4;
         assert!((1.0 / heaviest / ratio - 1.0).abs() < tolerance, "{resolution}");
     }
 }
 
-/// Failure 22: lamps in a row along the cells beat with them; turned hemicubes spread the
-/// same error as noise over the receivers.
+/// Failure 22: lamps in a row along the cells beat with them; turned hemicubes spread
+/// the same error as noise over the receivers.
 #[test]
 fn turning_breaks_the_beat() {
     let lamps: Vec<Polygon> =

@@ -31,7 +31,8 @@ impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(
             f,
-            "{} of {} pixels ({:.2} %) differ by more than {}/255; worst {} at ({}, {})",
+            "{} of {} pixels ({:.2} %) differ by more than {}/255; \
+             worst {} at ({}, {})",
             self.off,
             self.pixels,
             100.0 * self.share(),
@@ -65,7 +66,8 @@ pub fn compare(old: &RgbImage, new: &RgbImage, step: u8) -> Option<Difference> {
     Some(found)
 }
 
-/// One picture that shows old, new and their difference (eight times enlarged in value).
+/// One picture that shows old, new and their difference (eight times enlarged in
+/// value).
 pub fn side_by_side(old: &RgbImage, new: &RgbImage) -> RgbImage {
     let (width, height) =
         (old.width().max(new.width()), old.height().max(new.height()));

@@ -19,8 +19,8 @@ pub fn colour_of_id(id: u32) -> [u8; 3] {
     [channel(0.0), channel(2.0 / 3.0), channel(1.0 / 3.0)]
 }
 
-/// The hemicube at `point`, cut open along its upright edges and laid flat: the top in the
-/// middle, the sides hinged on it, the horizon all around.
+/// The hemicube at `point`, cut open along its upright edges and laid flat: the top in
+/// the middle, the sides hinged on it, the horizon all around.
 ///
 /// Each cell is a square of `cell` pixels (from 4 on with a gap) in the colour (sRGB
 /// bytes) that `colour` gives for its face, its index there and what it shows.
@@ -104,9 +104,8 @@ fn visible_parts(
         [-1.0, 0.0, 1.0].iter().any(|&dy| {
             [-1.0, 0.0, 1.0].iter().any(|&dx| {
                 let pixel = near(dx, width, at.x).zip(near(dy, height, at.y));
-                pixel.is_some_and(|(x, y)| {
-                    matches!(items.seen(x, y), Seen::Front(i) | Seen::Back(i) if i == id)
-                })
+                let seen = pixel.map(|(x, y)| items.seen(x, y));
+                seen == Some(Seen::Front(id)) || seen == Some(Seen::Back(id))
             })
         })
     };

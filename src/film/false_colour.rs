@@ -4,8 +4,8 @@ use super::Picture;
 use crate::geometry::Rgb;
 use image::RgbImage;
 
-/// Ten stops of *viridis* (van der Walt & Smith 2015, CC0), in sRGB bytes: its lightness
-/// rises evenly, so that it survives colour blindness and grey printers.
+/// Ten stops of *viridis* (van der Walt & Smith 2015, CC0), in sRGB bytes: its
+/// lightness rises evenly, so that it survives colour blindness and grey printers.
 const VIRIDIS: [[u8; 3]; 10] = [
     [68, 1, 84],
     [72, 40, 120],
@@ -58,8 +58,8 @@ impl FalseColour {
         picture.map(|radiance| self.colour(luminance(radiance)))
     }
 
-    /// The numbers to write beside the picture: `steps` of them (at least 2) from low to
-    /// high, each with its colour.
+    /// The numbers to write beside the picture: `steps` of them (at least 2) from low
+    /// to high, each with its colour.
     pub fn legend(&self, steps: usize) -> Vec<(f64, [u8; 3])> {
         let value = |k: usize| {
             let t = k as f64 / (steps.max(2) - 1) as f64;

@@ -32,7 +32,7 @@ impl fmt::Display for FilmError {
         match self {
             FilmError::UnknownFormat(path) => write!(
                 f,
-                "`{}` is no picture file that we write; end its name in .png, .hdr or .exr",
+                "no picture can be written to `{}`; end its name in .png, .hdr or .exr",
                 path.display()
             ),
             FilmError::Encoding(error) => {

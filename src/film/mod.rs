@@ -1,24 +1,24 @@
 //! From radiance to a picture: exposure, sRGB, false colour, drawings, comparison.
 //!
 //! ```text
-//! L = B/π                          what a diffuse surface of radiosity B shows, W/(m² sr)
-//! v = exposure · L                 1 is white; what exceeds it is clamped, and counted
-//! byte = round(255 sRGB(v))        sRGB: IEC 61966-2-1, about v^(1/2.2)
+//! L = B/π                       what a diffuse surface of radiosity B shows, W/(m² sr)
+//! v = exposure · L              1 is white; what exceeds it is clamped, and counted
+//! byte = round(255 sRGB(v))     sRGB: IEC 61966-2-1, about v^(1/2.2)
 //! ```
 //!
-//! | step                       | use it when                          | it misleads when       |
-//! |----------------------------|--------------------------------------|------------------------|
-//! | [`Shot::flat`]             | the solution itself is to be seen    | taken for a photograph |
-//! | [`Shot::smooth`]           | a pleasing picture is wanted         | elements are large     |
-//! | [`FalseColour`]            | numbers are to be read off           | seen without its scale |
-//! | [`Picture::auto_exposure`] | one picture is looked at             | two are compared       |
-//! | [`compare`]                | two 8-bit pictures should be equal   | they were clamped      |
+//! | step                       | use it when                | it misleads when       |
+//! |----------------------------|----------------------------|------------------------|
+//! | [`Shot::flat`]             | the solution is to be seen | taken for a photo      |
+//! | [`Shot::smooth`]           | it should look pleasing    | elements are large     |
+//! | [`FalseColour`]            | numbers are to be read off | seen without its scale |
+//! | [`Picture::auto_exposure`] | one picture is looked at   | two are compared       |
+//! | [`compare`]                | two pictures should agree  | they were clamped      |
 //!
 //! All averaging is done on linear radiance; only the last step to bytes is not linear.
 //!
-//! **Not here:** tone curves: what is brighter than white is white, and the share of such
-//! pixels is reported. Chapter *The final view* (L09). Sources: IEC 61966-2-1:1999;
-//! Poynton 2003.
+//! **Not here:** tone curves: what is brighter than white is white, and the share of
+//! such pixels is reported. Chapter *The final view* (L09). Sources: IEC
+//! 61966-2-1:1999; Poynton 2003.
 
 mod compare;
 mod draw;
@@ -59,8 +59,8 @@ impl Picture {
     // ANCHOR: auto_exposure
     /// The factor that makes the brightest channel of 97 % of the lit pixels at most 1.
     ///
-    /// In 1/(W/(m² sr)), positive. A lamp in the picture covers a few per cent at most and
-    /// may clamp; what it lights may not. 1 for a black picture.
+    /// In 1/(W/(m² sr)), positive. A lamp in the picture covers a few per cent at most
+    /// and may clamp; what it lights may not. 1 for a black picture.
     pub fn auto_exposure(&self) -> f64 {
         let brightest = self.pixels.iter().map(|l| l.max_element());
         let mut lit: Vec<f64> =

@@ -19,8 +19,8 @@ pub struct Shot {
     pub width: u32,
     /// Height in pixels, at most [`crate::raster::MAX_SIZE`].
     pub height: u32,
-    /// Samples along each side of a pixel: 1 leaves stairs at edges, 3 takes the mean of
-    /// nine.
+    /// Samples along each side of a pixel: 1 leaves stairs at edges, 3 takes the mean
+    /// of nine.
     pub samples: u32,
 }
 
@@ -33,8 +33,8 @@ impl Shot {
         self.shade(mesh, |element, _, _| radiosity[element] / PI)
     }
 
-    /// The elements with radiance interpolated between their corners, in the world (that
-    /// is, correctly in perspective); backs and the void are black.
+    /// The elements with radiance interpolated between their corners, in the world
+    /// (that is, correctly in perspective); backs and the void are black.
     ///
     /// `radiosity` holds `B` of each vertex of the mesh, in W/m²
     /// ([`Mesh::vertex_values`], [`Mesh::value_at`]).

@@ -8,18 +8,18 @@
 //! ```
 //! The integrals have closed forms (below), so that the weights are exact and sum to 1.
 //!
-//! | weights                    | use them when                      | they fail when        |
-//! |----------------------------|------------------------------------|-----------------------|
-//! | [`Weights::exact`]         | always                             | never                 |
-//! | [`Weights::at_centres`]    | the classic is to be shown         | their sum is not 1    |
+//! | weights                 | use them when              | they fail when     |
+//! |-------------------------|----------------------------|--------------------|
+//! | [`Weights::exact`]      | always                     | never              |
+//! | [`Weights::at_centres`] | the classic is to be shown | their sum is not 1 |
 //!
-//! **Fails** when a patch is smaller than a few cells (aliasing), when it is nearer than a
-//! few of its own sizes (the centre speaks for the whole element), and when a grid of
-//! patches beats with the grid of cells.
+//! **Fails** when a patch is smaller than a few cells (aliasing), when it is nearer
+//! than a few of its own sizes (the centre speaks for the whole element), and when a
+//! grid of patches beats with the grid of cells.
 //!
-//! **Not here:** drawing ([`crate::raster`]); other shapes than the half cube. Chapter *The
-//! hemicube* (L10). Sources: Cohen & Greenberg 1985; Baum, Rushmeier & Winget 1989 (where
-//! it fails).
+//! **Not here:** drawing ([`crate::raster`]); other shapes than the half cube. Chapter
+//! *The hemicube* (L10). Sources: Cohen & Greenberg 1985; Baum, Rushmeier & Winget 1989
+//! (where it fails).
 
 use super::{FormFactors, Lost};
 use crate::geometry::Frame;
@@ -105,8 +105,9 @@ impl Weights {
     // ANCHOR: at_centres
     /// The classic weights: the integrand at the centre of each cell times its area.
     ///
-    /// Their sum misses 1 by .0021, .00053, .00013, .00003 at a resolution of 16, 32, 64,
-    /// 128: an error that [`Weights::exact`] does not make, and not the one that matters.
+    /// Their sum misses 1 by .0021, .00053, .00013, .00003 at a resolution of 16, 32,
+    /// 64, 128: an error that [`Weights::exact`] does not make, and not the one that
+    /// matters.
     pub fn at_centres(resolution: u32) -> Weights {
         let cell = |[x0, x1, y0, y1]: [f64; 4]| {
             let (x, y) = (0.5 * (x0 + x1), 0.5 * (y0 + y1));
@@ -149,8 +150,9 @@ impl Weights {
 /// Form factors by hemicubes at the centres of the elements.
 ///
 /// # Accuracy
-/// At resolution 256 within 1 % for elements that are flat, far apart by several of their
-/// sizes, and wider than ten cells. The rows are not reciprocal. Nothing is repaired.
+/// At resolution 256 within 1 % for elements that are flat, far apart by several of
+/// their sizes, and wider than ten cells. The rows are not reciprocal. Nothing is
+/// repaired.
 #[derive(Debug)]
 pub struct Hemicube<'m> {
     mesh: &'m Mesh,
@@ -208,8 +210,8 @@ impl<'m> Hemicube<'m> {
         self.gather(point, normal, None, row)
     }
 
-    /// Shows the five faces of the hemicube at `point`, one after the other, with the ids
-    /// of the elements: for figures, and for one's own sums.
+    /// Shows the five faces of the hemicube at `point`, one after the other, with the
+    /// ids of the elements: for figures, and for one's own sums.
     pub fn faces(
         &self,
         point: DVec3,

@@ -7,8 +7,9 @@ use glam::DVec3;
 impl Mesh {
     /// The value at `p`, a point of `element`, between those of its corners.
     ///
-    /// Linear along every edge, so that neighbours agree there; exact for linear fields;
-    /// on a triangle Gouraud's (barycentric), on a rectangle bilinear. See [`wachspress`].
+    /// Linear along every edge, so that neighbours agree there; exact for linear
+    /// fields; on a triangle Gouraud's (barycentric), on a rectangle bilinear. See
+    /// [`wachspress`].
     pub fn value_at(&self, element: &Element, p: DVec3, of_vertices: &[Rgb]) -> Rgb {
         let weights = wachspress(&element.polygon, p);
         let of_corner = element.corners.iter().map(|c| of_vertices[c.0 as usize]);
@@ -22,9 +23,10 @@ impl Mesh {
 /// ```text
 /// w_k = C_k Π a_j  over the edges j that do not meet in corner k;  then  w_k / Σ w
 /// ```
-/// with `a_j` the triangle from edge `j` to `p` and `C_k` the triangle of corner `k` and its
-/// neighbours (Wachspress 1975; Meyer, Lee, Barr & Desbrun 2002). A point a hair outside
-/// counts as on the edge. A corner in the middle of a straight edge has weight 0.
+/// with `a_j` the triangle from edge `j` to `p` and `C_k` the triangle of corner `k`
+/// and its neighbours (Wachspress 1975; Meyer, Lee, Barr & Desbrun 2002). A point a
+/// hair outside counts as on the edge. A corner in the middle of a straight edge has
+/// weight 0.
 pub fn wachspress(polygon: &Polygon, p: DVec3) -> Vec<f64> {
     let v = polygon.vertices();
     let n = v.len();

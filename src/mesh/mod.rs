@@ -163,9 +163,12 @@ impl Mesh {
     }
 }
 
+/// What tells vertices apart: plane, place in quanta, sides of the contacts there.
+type Place = (u32, [i64; 3], Vec<(u32, bool)>);
+
 /// Gives corners that coincide the same vertex.
 struct Welder {
-    known: HashMap<(u32, [i64; 3], Vec<(u32, bool)>), VertexId>,
+    known: HashMap<Place, VertexId>,
     quantum: f64,
 }
 

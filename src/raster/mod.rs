@@ -5,29 +5,30 @@
 //! |X| ≤ W,  |Y| ≤ W                 the pyramid that the picture sees
 //! 1/W = (n · (X/W, Y/W, 1)) / h     linear across the picture, so it is what we store
 //! ```
-//! Here `n · (p − eye) = h` is the plane of the polygon, `n` carried to picture coordinates.
+//! Here `n · (p − eye) = h` is the plane of the polygon, `n` carried to picture
+//! coordinates.
 //!
-//! A polygon goes through three steps: it is **clipped** to the pyramid, its corners are
-//! **snapped** to a grid that is much finer than a pixel, and its rows are **filled** by
-//! integer arithmetic. A pixel belongs to the polygon that holds its centre; on an edge the left
-//! and the top one own it. Neighbours that share corners therefore leave no pinhole
-//! between them, and no pixel is drawn by both.
+//! A polygon goes through three steps: it is **clipped** to the pyramid, its corners
+//! are **snapped** to a grid that is much finer than a pixel, and its rows are
+//! **filled** by integer arithmetic. A pixel belongs to the polygon that holds its
+//! centre; on an edge the left and the top one own it. Neighbours that share corners
+//! therefore leave no pinhole between them, and no pixel is drawn by both.
 //!
-//! | a pixel asks            | the answer                                               |
-//! |-------------------------|----------------------------------------------------------|
-//! | what is nearest?        | the largest `1/W`, in f64                                |
-//! | two equally near?       | the front before the back, then the smaller id           |
-//! | which side is it?       | [`Seen::Front`] or [`Seen::Back`]: a back blocks as well |
-//! | and the near plane?     | there is none: the apex of the pyramid is the eye itself |
+//! | a pixel asks        | the answer                                           |
+//! |---------------------|------------------------------------------------------|
+//! | what is nearest?    | the largest `1/W`, in f64                            |
+//! | two equally near?   | the front before the back, then the smaller id       |
+//! | which side is it?   | [`Seen::Front`] or [`Seen::Back`]: a back blocks too |
+//! | and the near plane? | there is none: the pyramid begins at the eye         |
 //!
 //! A near plane would cut the wall that touches the floor just beside the eye. We need
-//! none: a point of the pyramid with `W = 0` is the eye, and a polygon through the eye is
-//! seen edge-on and covers nothing. (Such polygons are skipped.)
+//! none: a point of the pyramid with `W = 0` is the eye, and a polygon through the eye
+//! is seen edge-on and covers nothing. (Such polygons are skipped.)
 //!
 //! **Not here:** colours ([`crate::film`]); hemicube weights
-//! ([`crate::form_factor::hemicube`]). Chapters *The final view* (L09) and *The hemicube*
-//! (L10). Sources: Catmull 1974 (z-buffer); Weghorst, Hooper & Greenberg 1984 (item
-//! buffer); Blinn & Newell 1978 (homogeneous clipping).
+//! ([`crate::form_factor::hemicube`]). Chapters *The final view* (L09) and *The
+//! hemicube* (L10). Sources: Catmull 1974 (z-buffer); Weghorst, Hooper & Greenberg 1984
+//! (item buffer); Blinn & Newell 1978 (homogeneous clipping).
 
 mod scan;
 mod view;
@@ -165,8 +166,8 @@ impl ItemBuffer {
     // ANCHOR: draw
     /// Draws `polygon` as `view` sees it; its pixels remember `id` and the side.
     ///
-    /// Draws nothing where the polygon lies outside the pyramid, behind what is there, or
-    /// edge-on to the eye. The order of drawing does not matter.
+    /// Draws nothing where the polygon lies outside the pyramid, behind what is there,
+    /// or edge-on to the eye. The order of drawing does not matter.
     pub fn draw(&mut self, view: &View, polygon: &Polygon, id: u32) {
         debug_assert!(id <= MAX_ID, "id {id} exceeds {MAX_ID}");
         let (mut all, mut any, mut reach) = (Outside::ALL, Outside::NONE, 0.0_f64);
@@ -201,12 +202,13 @@ impl ItemBuffer {
     }
 
     // ANCHOR: fill
-    /// Fills the pixels of `self.outline` that are nearer than what is there. `plane` gives
-    /// `1/W` at `(X/W, Y/W, 1)`.
+    /// Fills the pixels of `self.outline` that are nearer than what is there. `plane`
+    /// gives `1/W` at `(X/W, Y/W, 1)`.
     fn fill(&mut self, item: u32, plane: DVec3) {
         let (width, height) = (self.width as f64, self.height as f64);
         let (dx, dy) = (2.0 * plane.x / width, -2.0 * plane.y / height);
-        let corner = plane.z - plane.x + plane.y + 0.5 * (dx + dy); // centre of pixel (0, 0)
+        // at the centre of pixel (0, 0)
+        let corner = plane.z - plane.x + plane.y + 0.5 * (dx + dy);
         for (y, columns) in self.spans.of(&self.outline, self.width, self.height) {
             let pixels = y * self.width as usize + columns.start
                 ..y * self.width as usize + columns.end;
@@ -225,7 +227,8 @@ impl ItemBuffer {
     // ANCHOR_END: fill
 }
 
-/// Outside which sides of the pyramid a point lies: one bit for each (Cohen & Sutherland).
+/// Outside which sides of the pyramid a point lies: one bit for each (Cohen &
+/// Sutherland).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Outside(u8);
 
@@ -266,8 +269,8 @@ fn clip(outline: &[DVec3], side: usize, kept: &mut Vec<DVec3>) {
             kept.push(a);
         }
         if (ha > 0.0 && hb < 0.0) || (ha < 0.0 && hb > 0.0) {
-            // From the outer end inwards, whichever way the edge runs: both neighbours of
-            // a shared edge compute the very same point.
+            // From the outer end inwards, whichever way the edge runs: both neighbours
+            // of a shared edge compute the very same point.
             let (out, ho, inner, hi) =
                 if ha < hb { (a, ha, b, hb) } else { (b, hb, a, ha) };
             kept.push(out + (inner - out) * (ho / (ho - hi)));

@@ -1,23 +1,23 @@
 //! Which pixels a convex polygon covers, in exact integer arithmetic.
 //!
-//! A pixel is covered when its centre lies inside, on a left edge or on a top edge. Row by
-//! row this is the half-open span from the left to the right edge:
+//! A pixel is covered when its centre lies inside, on a left edge or on a top edge. Row
+//! by row this is the half-open span from the left to the right edge:
 //!
 //! ```text
-//! x_edge(c) = a.x + (c − a.y) (b.x − a.x)/(b.y − a.y)        a above b, c the row's centre
+//! x_edge(c) = a.x + (c − a.y) (b.x − a.x)/(b.y − a.y)    a above b, c the row's centre
 //! first pixel at or right of it:  ⌈x_edge(c) − ½⌉
 //! ```
-//! An edge gives the same number to the polygon on its left, as an end, and to the one on
-//! its right, as a start. That is all of the top-left rule.
+//! An edge gives the same number to the polygon on its left, as an end, and to the one
+//! on its right, as a start. That is all of the top-left rule.
 
 use glam::DVec3;
 use std::ops::Range;
 
 /// The grid to which corners are snapped: `2^bits` steps to a pixel.
 ///
-/// As fine as integers allow: a coordinate stays within 2³⁰, so that sums of two products
-/// of coordinates stay below 2⁶² and fit an `i64`. At 128 pixels a side a step is 1e-7
-/// pixel, at 16384 it is 1/65536.
+/// As fine as integers allow: a coordinate stays within 2³⁰, so that sums of two
+/// products of coordinates stay below 2⁶² and fit an `i64`. At 128 pixels a side a step
+/// is 1e-7 pixel, at 16384 it is 1/65536.
 #[derive(Clone, Copy)]
 struct Grid {
     bits: u32,
@@ -55,8 +55,8 @@ pub(super) struct Spans {
 }
 
 impl Spans {
-    /// The rows that `outline` (in clip coordinates, inside the pyramid) covers, each with
-    /// its range of columns, which may be empty.
+    /// The rows that `outline` (in clip coordinates, inside the pyramid) covers, each
+    /// with its range of columns, which may be empty.
     pub(super) fn of(
         &mut self,
         outline: &[DVec3],
@@ -64,8 +64,8 @@ impl Spans {
         height: u32,
     ) -> impl Iterator<Item = (usize, Range<usize>)> + use<'_> {
         let grid = Grid::new(width, height);
-        // Clipped corners may stray outside by rounding, hence the clamp; `+ 0.5` and the
-        // cast round numbers that are not negative.
+        // Clipped corners may stray outside by rounding, hence the clamp; `+ 0.5` and
+        // the cast round numbers that are not negative.
         let snap = |at: f64, size: u32| {
             let end = size as f64 * grid.one() as f64;
             (0.5 * at * end + 0.5).clamp(0.0, end) as i64
@@ -96,8 +96,8 @@ impl Spans {
 }
 
 // ANCHOR: follow
-/// Follows the edge from `a` down to `b` and widens the spans of `rows` (the first of which
-/// is row `low`) to the first pixel right of it.
+/// Follows the edge from `a` down to `b` and widens the spans of `rows` (the first of
+/// which is row `low`) to the first pixel right of it.
 fn follow(grid: Grid, a: Corner, b: Corner, low: i64, rows: &mut [(i64, i64)]) {
     let (first, end) = (grid.row_from(a.y), grid.row_from(b.y));
     if first == end {

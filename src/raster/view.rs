@@ -5,8 +5,9 @@ use glam::{DMat3, DVec2, DVec3, dvec3};
 
 /// An eye and the pyramid that it looks through.
 ///
-/// A world point `p` is at `(X, Y, W) = M (p − eye)`, on the picture at `(X/W, Y/W)`: `x` to
-/// the right, `y` up, both from −1 to 1. `W` is the depth along the line of sight.
+/// A world point `p` is at `(X, Y, W) = M (p − eye)`, on the picture at `(X/W, Y/W)`:
+/// `x` to the right, `y` up, both from −1 to 1. `W` is the depth along the line of
+/// sight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     eye: DVec3,
@@ -62,7 +63,8 @@ impl View {
         self.world_from_clip.transpose() * normal
     }
 
-    /// The world direction seen at a place of the picture, with `W = 1`; not of unit length.
+    /// The world direction seen at a place of the picture, with `W = 1`; not of unit
+    /// length.
     pub fn direction(&self, at: DVec2) -> DVec3 {
         self.world_from_clip * dvec3(at.x, at.y, 1.0)
     }

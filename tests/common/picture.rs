@@ -1,8 +1,8 @@
 //! Pictures as snapshots. Any test of the workspace may include this file by `#[path]`.
 //!
 //! A picture that differs is refused; old, new and difference are written side by side
-//! under `target/tmp/`, and the message names that file. To accept a change, run the test
-//! with `INSTA_UPDATE=always` and look at the new picture.
+//! under `target/tmp/`, and the message names that file. To accept a change, run the
+//! test with `INSTA_UPDATE=always` and look at the new picture.
 
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Settings, Snapshot};
@@ -46,8 +46,8 @@ fn decode(snapshot: &Snapshot) -> Option<RgbImage> {
     Some(image::load_from_memory(bytes).ok()?.to_rgb8())
 }
 
-/// Asserts that `picture` is the snapshot `name` in `folder` (of this package), but for a
-/// two-hundredth of its pixels.
+/// Asserts that `picture` is the snapshot `name` in `folder` (of this package), but for
+/// a two-hundredth of its pixels.
 #[allow(dead_code)] // not every test that includes this file has pictures
 pub fn assert_picture(folder: &str, name: &str, picture: &RgbImage) {
     let difference =

@@ -76,8 +76,8 @@ proptest! {
 
     /// Pieces of a square that overfills the picture cover every pixel, and once.
     #[test]
-    fn a_fan_covers_every_pixel_once(seed: u64, quarter in 1..9_usize, over in 1.0..3.0) {
-        let pieces = fan(over, 4 * quarter, seed);
+    fn a_fan_covers_every_pixel_once(seed: u64, n in 1..9_usize, over in 1.0..3.0) {
+        let pieces = fan(over, 4 * n, seed);
         prop_assert!(cover(&straight(), &pieces).iter().all(|&n| n == 1));
     }
 

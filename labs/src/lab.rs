@@ -105,8 +105,8 @@ pub struct Works<W: 'static> {
     pub starter: W,
     /// The answer's.
     pub answer: W,
-    /// Those of the played students.
-    pub wrong: &'static [Wrong<W>],
+    /// Those of the played students, in groups.
+    pub wrong: &'static [&'static [Wrong<W>]],
     /// The checks, in order of tasks.
     pub checks: &'static [Check<W>],
 }
@@ -121,20 +121,26 @@ pub trait Kit: Sync {
     fn run(&self, who: &Who, index: usize, stream: &mut Stream) -> Option<Verdict>;
 }
 
+impl<W> Works<W> {
+    fn played(&self) -> impl Iterator<Item = &'static Wrong<W>> {
+        self.wrong.iter().flat_map(|group| group.iter())
+    }
+}
+
 impl<W: Sync> Kit for Works<W> {
     fn checks(&self) -> Vec<About> {
         self.checks.iter().map(|check| check.about).collect()
     }
 
     fn wrong(&self) -> Vec<(&'static str, &'static str, &'static [Bug])> {
-        self.wrong.iter().map(|w| (w.name, w.thought, w.named)).collect()
+        self.played().map(|w| (w.name, w.thought, w.named)).collect()
     }
 
     fn run(&self, who: &Who, index: usize, stream: &mut Stream) -> Option<Verdict> {
         let work = match who {
             Who::Starter => &self.starter,
             Who::Answer => &self.answer,
-            Who::Wrong(name) => &self.wrong.iter().find(|w| w.name == name)?.work,
+            Who::Wrong(name) => &self.played().find(|w| w.name == name)?.work,
         };
         Some((self.checks.get(index)?.run)(work, stream))
     }

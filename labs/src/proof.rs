@@ -2,7 +2,7 @@
 //! student is caught and named.
 
 use crate::lab::{Lab, Who};
-use crate::run::{ENDLESS, Test, run_task};
+use crate::run::{ENDLESS, Runner, Test};
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::time::Duration;
@@ -15,22 +15,23 @@ const SHORT: Duration = Duration::from_secs(1);
 /// Proves `lab` for each of `cohorts`; returns what was proven, and what failed.
 ///
 /// With `worked`, a task whose `todo!` is gone from the starter need not fail: a student
-/// has been at it.
+/// has been at it. `program` is the grader itself.
 ///
 /// # Errors
-/// When `program`, this grader, cannot be started.
+/// When `program` cannot be started.
 pub fn prove(
     program: &Path,
     lab: &Lab,
-    cohorts: &[&str],
+    cohorts: &[String],
     worked: bool,
 ) -> std::io::Result<(Vec<String>, Vec<String>)> {
     let mut proven = Vec::new();
     let mut failed = laid_out(lab);
     for cohort in cohorts {
         let play = |who: &Who, limit: Duration| -> std::io::Result<Vec<Test>> {
-            let tasks = 1..=lab.tasks.len();
-            let runs = tasks.map(|t| run_task(program, lab, t, who, cohort, limit));
+            let (program, cohort) = (program.to_path_buf(), cohort.clone());
+            let runner = Runner { program, cohort, limit, echo: false };
+            let runs = (1..=lab.tasks.len()).map(|task| runner.task(lab, task, who));
             Ok(runs.collect::<std::io::Result<Vec<_>>>()?.concat())
         };
         let mut note = |who: &str, trouble: Result<String, String>| match trouble {

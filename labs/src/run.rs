@@ -8,9 +8,10 @@ use crate::check::{Bug, Verdict};
 use crate::lab::{About, Lab, Who};
 use radiosity::random::Stream;
 use serde_json::{Value, json};
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader, Read, Write};
 use std::panic::{self, AssertUnwindSafe};
-use std::process::{Command, Stdio};
+use std::path::PathBuf;
+use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -37,8 +38,13 @@ pub const CRASH: Bug = Bug {
 /// Marks the lines on standard output that are the grader's, not the student's.
 const MARK: char = '\u{1}';
 
-/// What is passed on of a student's printing, in lines; the rest is dropped.
-const PRINTED: usize = 200;
+/// What is passed on of a student's printing; the rest is dropped.
+const PRINTED_LINES: usize = 200;
+/// What a task may print before its pipe is closed: a loop that prints fills no memory.
+const PRINTED_BYTES: u64 = 1 << 24;
+
+/// What the child tells of one check: its name, the verdict, the seconds.
+type Found = (String, Verdict, f64);
 
 /// One check, run.
 #[derive(Clone, Debug)]
@@ -65,77 +71,92 @@ pub fn seed(cohort: &str) -> u64 {
     })
 }
 
-/// Runs the checks of `task` (from 1) in a process of its own, for at most `limit`.
-///
-/// # Errors
-/// When the process cannot be started.
-pub fn run_task(
-    program: &std::path::Path,
-    lab: &Lab,
-    task: usize,
-    who: &Who,
-    cohort: &str,
-    limit: Duration,
-) -> std::io::Result<Vec<Test>> {
-    let start = Instant::now();
-    let mut child = Command::new(program)
-        .args(["one-task", lab.name, &task.to_string()])
-        .args(["--who", &who.to_string(), "--cohort", cohort])
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .spawn()?;
-    let (send, lines) = channel();
-    if let Some(out) = child.stdout.take() {
-        // The thread ends with the pipe: at the latest when the child is killed.
-        std::thread::spawn(move || {
-            for line in BufReader::new(out).split(b'\n').map_while(Result::ok) {
-                if send.send(String::from_utf8_lossy(&line).into_owned()).is_err() {
-                    break;
-                }
-            }
-        });
-    }
-    let mut found = Vec::new();
-    let mut printed = 0;
-    let cause = loop {
-        match lines.recv_timeout(limit.saturating_sub(start.elapsed())) {
-            Ok(line) if line.starts_with(MARK) => found.extend(read(&line[1..])),
-            Ok(line) => {
-                printed += usize::from(!line.is_empty());
-                if !line.is_empty() && printed <= PRINTED {
-                    eprintln!("{line}");
-                }
-                if start.elapsed() > limit {
-                    break ENDLESS;
-                }
-            }
-            Err(RecvTimeoutError::Timeout) => break ENDLESS,
-            Err(RecvTimeoutError::Disconnected) => break CRASH,
-        }
-    };
-    // Either may fail when the child has ended by itself, which is as good.
-    let _ = child.kill();
-    let _ = child.wait();
-    let why = match cause {
-        ENDLESS => format!("did not finish in {} s", limit.as_secs_f64()),
-        _ => "did not finish: its process died".to_string(),
-    };
-    let lost = start.elapsed().as_secs_f64();
-    let checks = lab.kit.checks().into_iter().filter(|about| about.task == task);
-    let test = |about: About| match found.iter().find(|(name, ..)| name == about.name) {
-        Some((_, verdict, seconds)) => {
-            Test { about, verdict: verdict.clone(), seconds: *seconds }
-        }
-        None => Test {
-            about,
-            verdict: Verdict::fail(why.clone(), Some(cause)),
-            seconds: lost,
-        },
-    };
-    Ok(checks.map(test).collect())
+/// How tasks are run.
+#[derive(Clone, Debug)]
+pub struct Runner {
+    /// The grader: this program.
+    pub program: PathBuf,
+    /// The cohort's name.
+    pub cohort: String,
+    /// What a task may take.
+    pub limit: Duration,
+    /// Passes on what the student prints.
+    pub echo: bool,
 }
 
-/// The other end of [`run_task`]: runs the checks and prints what they found.
+impl Runner {
+    /// Runs the checks of `task` (from 1) in a process of its own.
+    ///
+    /// # Errors
+    /// When the process cannot be started.
+    pub fn task(
+        &self,
+        lab: &Lab,
+        task: usize,
+        who: &Who,
+    ) -> std::io::Result<Vec<Test>> {
+        let start = Instant::now();
+        let mut child = Command::new(&self.program)
+            .args(["one-task", lab.name, &task.to_string()])
+            .args(["--who", &who.to_string(), "--cohort", &self.cohort])
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(if self.echo { Stdio::inherit() } else { Stdio::null() })
+            .spawn()?;
+        let mut found = Vec::new();
+        let cause = self.listen(start, &mut child, &mut found);
+        // Either may fail when the child has ended by itself, which is as good.
+        let _ = child.kill();
+        let _ = child.wait();
+        let why = match cause {
+            ENDLESS => format!("did not finish in {} s", self.limit.as_secs_f64()),
+            _ => "did not finish: its process died".to_string(),
+        };
+        let lost = start.elapsed().as_secs_f64();
+        let test = |about: About| {
+            let found = found.iter().find(|(name, ..)| name == about.name).cloned();
+            let (_, verdict, seconds) = found.unwrap_or_else(|| {
+                (String::new(), Verdict::fail(why.clone(), Some(cause)), lost)
+            });
+            Test { about, verdict, seconds }
+        };
+        let checks = lab.kit.checks().into_iter().filter(|about| about.task == task);
+        Ok(checks.map(test).collect())
+    }
+
+    /// Collects what the child finds until it ends or its time is up; says which, as the
+    /// mistake that explains the checks it did not come to.
+    fn listen(&self, start: Instant, child: &mut Child, found: &mut Vec<Found>) -> Bug {
+        let (send, lines) = channel();
+        if let Some(out) = child.stdout.take() {
+            // The thread ends with the pipe: at the latest when the child is killed.
+            std::thread::spawn(move || {
+                let out = BufReader::new(out.take(PRINTED_BYTES)).split(b'\n');
+                for line in out.map_while(Result::ok) {
+                    if send.send(String::from_utf8_lossy(&line).into_owned()).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        let mut printed = 0;
+        loop {
+            match lines.recv_timeout(self.limit.saturating_sub(start.elapsed())) {
+                Ok(line) if line.starts_with(MARK) => found.extend(read(&line[1..])),
+                Ok(line) => {
+                    printed += usize::from(!line.is_empty());
+                    if self.echo && !line.is_empty() && printed <= PRINTED_LINES {
+                        eprintln!("{line}");
+                    }
+                }
+                Err(RecvTimeoutError::Timeout) => return ENDLESS,
+                Err(RecvTimeoutError::Disconnected) => return CRASH,
+            }
+        }
+    }
+}
+
+/// The other end of [`Runner::task`]: runs the checks and prints what they found.
 pub fn one_task(lab: &Lab, task: usize, who: &Who, cohort: &str) {
     let place = Arc::new(Mutex::new(String::new()));
     let seen = Arc::clone(&place);
@@ -192,7 +213,7 @@ fn write(name: &str, verdict: &Verdict, seconds: f64) -> Value {
     })
 }
 
-fn read(line: &str) -> Option<(String, Verdict, f64)> {
+fn read(line: &str) -> Option<Found> {
     let value: Value = serde_json::from_str(line).ok()?;
     let text = |key: &str| value[key].as_str().map(str::to_string);
     let metric = value["metric"].as_f64().unwrap_or(f64::INFINITY);

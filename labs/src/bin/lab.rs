@@ -7,7 +7,7 @@
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use labs::grade::Grade;
 use labs::lab::{Lab, Who};
-use labs::run::{Test, one_task, run_task};
+use labs::run::{Runner, Test, one_task};
 use labs::{LABS, proof, show};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -176,13 +176,12 @@ fn tests(lab: &Lab, how: &How) -> Result<(Who, Vec<Test>), String> {
     if let Some(task) = how.task {
         has_task(lab, task)?;
     }
-    let program = program()?;
+    let (program, cohort, limit) = (program()?, how.cohort.clone(), how.limit);
+    let runner = Runner { program, cohort, limit, echo: true };
     let mut tests = Vec::new();
     for task in how.task.map_or(1..=lab.tasks.len(), |t| t..=t) {
-        let run = run_task(&program, lab, task, &who, &how.cohort, how.limit);
-        tests.extend(
-            run.map_err(|e| format!("cannot start {}: {e}", program.display()))?,
-        );
+        let run = runner.task(lab, task, &who);
+        tests.extend(run.map_err(|e| format!("cannot start the grader again: {e}"))?);
     }
     if tests.is_empty() {
         return Err(format!("lab `{}`: no test matched", lab.name));
@@ -225,11 +224,10 @@ fn grade(
 
 fn ci(worked: bool, cohorts: &[String]) -> Result<bool, String> {
     let program = program()?;
-    let cohorts: Vec<&str> = cohorts.iter().map(String::as_str).collect();
     let mut good = true;
     for lab in LABS {
-        let (proven, failed) = proof::prove(&program, lab, &cohorts, worked)
-            .map_err(|e| format!("cannot start {}: {e}", program.display()))?;
+        let (proven, failed) = proof::prove(&program, lab, cohorts, worked)
+            .map_err(|e| format!("cannot start the grader again: {e}"))?;
         proven.iter().for_each(|text| println!("proven  {text}"));
         failed.iter().for_each(|text| println!("FAILED  {text}"));
         good &= failed.is_empty() && !proven.is_empty();

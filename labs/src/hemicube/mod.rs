@@ -18,7 +18,6 @@ pub mod starter;
 pub mod answer;
 pub mod bugs;
 pub mod checks;
-pub mod whole;
 pub mod wrong;
 
 use crate::lab::{Lab, Task, Works};

@@ -7,11 +7,11 @@
 //! given to the wrong element, and no place of the hemicube weighs more than 1/π per area
 //! (the middle of the top). The second term is that of the weights.
 
-use super::Work;
-use super::bugs::{FULL_SIDES, NORMALISED_AWAY};
-use super::checks::uniform;
-use super::given::{StudentHemicube, Weights, cells, lambert};
+use super::{sized, uniform};
 use crate::check::{Verdict, Within, compare};
+use crate::hemicube::Work;
+use crate::hemicube::bugs::NORMALISED_AWAY;
+use crate::hemicube::given::{StudentHemicube, Weights, lambert};
 use radiosity::form_factor::{FormFactors, Lost};
 use radiosity::mesh::ElementId;
 use radiosity::prelude::{DVec3, Polygon, dvec3};
@@ -20,20 +20,6 @@ use std::f64::consts::PI;
 
 /// The form factor from the centre of a unit square to the opposite one, 1 away.
 const KNOWN: f64 = 0.239_456_470_460_774;
-
-/// Are the tables as long as a hemicube of `n` cells needs them?
-pub(super) fn sized(weights: &Weights, n: usize) -> Result<(), Verdict> {
-    let (top, side) = (weights.top.len(), weights.side.len());
-    if (top, side) == (cells(n, 0), cells(n, 1)) {
-        return Ok(());
-    }
-    let (right_top, right_side) = (cells(n, 0), cells(n, 1));
-    let message = format!(
-        "for n = {n} the tables have {top} and {side} cells, expected {right_top} and \
-         {right_side}"
-    );
-    Err(Verdict::fail(message, (side == n * n).then_some(FULL_SIDES)))
-}
 
 /// What element 0 sees, by a hemicube of `n` cells along an edge.
 fn seen(
@@ -80,7 +66,7 @@ fn bound(n: usize, outline: f64) -> f64 {
 
 /// A unit square, 1 above the middle of a small one. Its outline runs along the borders
 /// of cells, so that the weights alone decide: 1 % is what a hemicube of 256 promises.
-pub(super) fn known(work: &Work, _: &mut Stream) -> Verdict {
+pub fn known(work: &Work, _: &mut Stream) -> Verdict {
     let lid = rectangle(DVec3::Z, DVec3::Y * 0.5, DVec3::X * 0.5);
     let row = match seen(work, &[floor(0.01), lid], 256) {
         Ok((row, _)) => row,
@@ -116,7 +102,7 @@ pub(super) fn known(work: &Work, _: &mut Stream) -> Verdict {
 }
 
 /// A turned rectangle somewhere above, within the top face's view.
-pub(super) fn elsewhere(work: &Work, stream: &mut Stream) -> Verdict {
+pub fn elsewhere(work: &Work, stream: &mut Stream) -> Verdict {
     const N: usize = 128;
     let height = uniform(stream, 0.5, 3.0);
     let turn = uniform(stream, 0.0, PI);
@@ -135,7 +121,7 @@ pub(super) fn elsewhere(work: &Work, stream: &mut Stream) -> Verdict {
 }
 
 /// A box of random shape: from its floor the other walls are all there is.
-pub(super) fn closed(work: &Work, stream: &mut Stream) -> Verdict {
+pub fn closed(work: &Work, stream: &mut Stream) -> Verdict {
     const N: usize = 64;
     let mut half = || uniform(stream, 0.4, 1.5);
     let walls = room(dvec3(half(), half(), half()));
@@ -163,7 +149,7 @@ pub(super) fn closed(work: &Work, stream: &mut Stream) -> Verdict {
 }
 
 /// A card between the floor and a lid, once facing the floor, once with its back to it.
-pub(super) fn hidden(work: &Work, stream: &mut Stream) -> Verdict {
+pub fn hidden(work: &Work, stream: &mut Stream) -> Verdict {
     const N: usize = 128;
     let lid = rectangle(DVec3::Z, DVec3::Y * 0.8, DVec3::X * 0.8);
     let height = uniform(stream, 0.3, 0.8);
@@ -188,7 +174,7 @@ pub(super) fn hidden(work: &Work, stream: &mut Stream) -> Verdict {
 }
 
 /// A box without lid: what the lid would get, escapes.
-pub(super) fn open(work: &Work, stream: &mut Stream) -> Verdict {
+pub fn open(work: &Work, stream: &mut Stream) -> Verdict {
     const N: usize = 64;
     let mut half = || uniform(stream, 0.4, 1.5);
     let mut walls = room(dvec3(half(), half(), half()));

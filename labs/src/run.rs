@@ -35,6 +35,9 @@ pub const CRASH: Bug = Bug {
     says: "The process died: does a function call itself without end?",
 };
 
+/// A loop that prints without end.
+pub const FLOOD: Bug = Bug { name: "flood", says: "Does a loop print without end?" };
+
 /// Marks the lines on standard output that are the grader's, not the student's.
 const MARK: char = '\u{1}';
 
@@ -110,6 +113,7 @@ impl Runner {
         let _ = child.wait();
         let why = match cause {
             ENDLESS => format!("did not finish in {} s", self.limit.as_secs_f64()),
+            FLOOD => "printed more than 16 MB".to_string(),
             _ => "did not finish: its process died".to_string(),
         };
         let lost = start.elapsed().as_secs_f64();
@@ -139,17 +143,21 @@ impl Runner {
                 }
             });
         }
-        let mut printed = 0;
+        let (mut printed, mut bytes) = (0, 0);
         loop {
             match lines.recv_timeout(self.limit.saturating_sub(start.elapsed())) {
                 Ok(line) if line.starts_with(MARK) => found.extend(read(&line[1..])),
                 Ok(line) => {
+                    bytes += line.len() as u64 + 1;
                     printed += usize::from(!line.is_empty());
                     if self.echo && !line.is_empty() && printed <= PRINTED_LINES {
                         eprintln!("{line}");
                     }
                 }
                 Err(RecvTimeoutError::Timeout) => return ENDLESS,
+                Err(RecvTimeoutError::Disconnected) if bytes >= PRINTED_BYTES / 2 => {
+                    return FLOOD; // what is not UTF-8 changes its length a little
+                }
                 Err(RecvTimeoutError::Disconnected) => return CRASH,
             }
         }

@@ -20,7 +20,7 @@ use std::f64::consts::PI;
 /// How many faces a hemicube has: face 0 is the top, 1 to 4 are the sides.
 pub const FACES: usize = 5;
 
-// ANCHOR: types
+// ANCHOR: weights
 /// The weights of the cells: the form factors from the element to each of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weights {
@@ -29,7 +29,9 @@ pub struct Weights {
     /// `n × n/2` cells of one side face; row 0 stands on the base.
     pub side: Vec<f64>,
 }
+// ANCHOR_END: weights
 
+// ANCHOR: fragment
 /// Something that the ray through one cell hits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fragment {
@@ -42,7 +44,9 @@ pub struct Fragment {
     /// Is its front hit? Its back is black.
     pub front: bool,
 }
+// ANCHOR_END: fragment
 
+// ANCHOR: item
 /// What one cell sees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Item {
@@ -53,7 +57,7 @@ pub enum Item {
     /// The black back of some element.
     Back,
 }
-// ANCHOR_END: types
+// ANCHOR_END: item
 
 /// The direction through a cell's centre, in the element's frame; not of unit length.
 pub fn through(n: usize, face: usize, cell: usize) -> DVec3 {

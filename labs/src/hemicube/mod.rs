@@ -18,6 +18,7 @@ pub mod starter;
 pub mod answer;
 pub mod bugs;
 pub mod checks;
+pub mod report;
 pub mod wrong;
 
 use crate::lab::{Lab, Task, Works};
@@ -26,23 +27,31 @@ use radiosity::form_factor::Lost;
 
 pub use given::StudentHemicube;
 
-// ANCHOR: work
 /// What is to be written, task by task.
 pub struct Work {
+    // ANCHOR: task1
     /// 1. The form factor to one square cell of the top face, centre (x, y, 1).
     pub top_factor: fn(x: f64, y: f64, edge: f64) -> f64,
     /// 1. The same for a side face: centre (1, y, z), `z` above the base.
     pub side_factor: fn(y: f64, z: f64, edge: f64) -> f64,
+    // ANCHOR_END: task1
+    // ANCHOR: task2
     /// 2. All cells of the top, and of one side; `n` cells span an edge of the top.
     pub weights: fn(n: usize) -> Weights,
+    // ANCHOR_END: task2
+    // ANCHOR: task3
     /// 3. What each of the `cells` of one face sees first; `own` is the element itself.
     pub item_buffer: fn(cells: usize, own: usize, fragments: &[Fragment]) -> Vec<Item>,
+    // ANCHOR_END: task3
+    // ANCHOR: task4
     /// 4. The form factor to every element, and the shares that reach no front.
     pub factor_row: fn(&[Vec<Item>; FACES], &Weights, row: &mut [f64]) -> Lost,
+    // ANCHOR_END: task4
+    // ANCHOR: task5
     /// 5. From `row[j]` = F_ij, with i = `from`: the factors F_ji that shooting needs.
     pub shooting_factors: fn(row: &[f64], areas: &[f64], from: usize) -> Vec<f64>,
+    // ANCHOR_END: task5
 }
-// ANCHOR_END: work
 
 /// The lab.
 pub const LAB: Lab = Lab {

@@ -6,7 +6,7 @@ use crate::hemicube::answer::WORK;
 use crate::hemicube::bugs::*;
 use crate::hemicube::given::{FACES, Item, Weights};
 use crate::lab::Wrong;
-use crate::run::{CRASH, ENDLESS};
+use crate::run::{CRASH, ENDLESS, FLOOD};
 use radiosity::form_factor::Lost;
 
 /// They sum wrongly, or never come to an end.
@@ -139,6 +139,20 @@ pub const ALL: &[Wrong<Work>] = &[
         Work {
             shooting_factors: |row, areas, _| {
                 row.iter().zip(areas).map(|(f, a)| f / a).collect()
+            },
+            ..WORK
+        },
+    ),
+    plays(
+        "flood",
+        "a loop that prints and never ends",
+        &[FLOOD],
+        Work {
+            shooting_factors: |row, areas, from| {
+                while std::hint::black_box(from) < row.len() {
+                    print!("{areas:?}");
+                }
+                (WORK.shooting_factors)(row, areas, from)
             },
             ..WORK
         },

@@ -1,7 +1,7 @@
 //! From where a scene is seen.
 
 use super::Surface;
-use crate::geometry::bounds;
+use crate::geometry::{Polygon, bounds};
 use glam::DVec3;
 
 /// From where, and how, the scene is seen.
@@ -45,7 +45,19 @@ impl Camera {
         // Two directions across `up`, fixed for a given `up`.
         let (right, back) = up.any_orthonormal_pair();
         if opening.length() <= 0.2 * side.max_element() && inwards > 0.0 {
-            let eye = middle + size * (0.4 * right + 0.42 * back + 0.1 * up);
+            // Of four corners the one that most fronts look at: not all may be inside.
+            let corner = |(r, b): (f64, f64)| {
+                middle + size * (0.4 * r * right + 0.42 * b * back + 0.1 * up)
+            };
+            let seen = |eye: DVec3| {
+                let looks = |p: &&Polygon| p.plane().height(eye) > 0.0;
+                let polygons = surfaces.iter().map(|s| &s.polygon);
+                polygons.filter(looks).map(Polygon::area).sum::<f64>()
+            };
+            let corners =
+                [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)].map(corner);
+            let eye = corners.into_iter().max_by(|&a, &b| seen(a).total_cmp(&seen(b)));
+            let eye = eye.unwrap_or(middle);
             return Camera { eye, target: middle, up, fov: 75.0 };
         }
         let mut from = opening.normalize_or(up);

@@ -6,8 +6,8 @@ use crate::material::{Coefficients, Material};
 use crate::scene::{Camera, Scene};
 use glam::{DVec3, dvec3};
 
-const OFF_WHITE: Rgb = Rgb::new(0.75, 0.73, 0.70);
-const WOOD: Rgb = Rgb::new(0.45, 0.30, 0.18);
+const OFF_WHITE: Rgb = Rgb::new(0.80, 0.78, 0.75);
+const WOOD: Rgb = Rgb::new(0.55, 0.40, 0.26);
 
 /// The white furnace: the closed unit cube, every face with `E = 1` and reflectance `rho`.
 ///
@@ -65,7 +65,7 @@ pub(super) fn l_room() -> Scene {
     let yellow = builder.material("yellow", Rgb::ZERO, Rgb::new(0.75, 0.55, 0.15));
     let lamp = builder.material("lamp", Rgb::new(100.0, 90.0, 75.0), Rgb::splat(0.5));
     let plan = [(0.0, 0.0), (0.0, 5.0), (2.0, 5.0), (2.0, 2.0), (5.0, 2.0), (5.0, 0.0)];
-    builder.room(&plan, 2.6, wood, white, &[white, blue, white, white, yellow, white]);
+    builder.room(&plan, 2.6, wood, white, &[blue, white, white, white, yellow, white]);
     let panel = [(3.4, 0.6), (4.4, 0.6), (4.4, 1.4), (3.4, 1.4)];
     builder.face(lamp, &panel.map(|(x, z)| dvec3(x, 2.6, z)));
     let camera = Camera {
@@ -77,7 +77,7 @@ pub(super) fn l_room() -> Scene {
     builder.scene("l-room", camera)
 }
 
-/// A closed room of two parts, 6 m × 4 m × 2.8 m, joined by an opening 1.2 m wide.
+/// A closed room of two parts, 6 m × 4 m × 2.8 m, joined by an opening 1.5 m wide.
 ///
 /// The lamp hangs on the far side of the partition and looks away from the main part,
 /// which lies wholly behind the lamp's plane: no light comes there but by reflection.
@@ -85,31 +85,32 @@ pub(super) fn indirect_room() -> Scene {
     let mut builder = Builder::default();
     let white = builder.material("white", Rgb::ZERO, OFF_WHITE);
     let wood = builder.material("wood", Rgb::ZERO, WOOD);
-    let orange = builder.material("orange", Rgb::ZERO, Rgb::new(0.80, 0.42, 0.15));
+    let rose = builder.material("rose", Rgb::ZERO, Rgb::new(0.80, 0.58, 0.52));
     let green = builder.material("green", Rgb::ZERO, Rgb::new(0.25, 0.50, 0.28));
-    let lamp = builder.material("lamp", Rgb::new(300.0, 290.0, 270.0), Rgb::splat(0.5));
-    // The partition runs from z = 0 to z = 2.8, between x = 4 and x = 4.1.
+    let blue = builder.material("blue", Rgb::ZERO, Rgb::new(0.25, 0.38, 0.60));
+    let lamp = builder.material("lamp", Rgb::new(300.0, 300.0, 300.0), Rgb::splat(0.5));
+    // The partition runs from z = 0 to z = 2.5, between x = 4 and x = 4.1.
     let plan = [
         (0.0, 0.0),
         (0.0, 4.0),
         (6.0, 4.0),
         (6.0, 0.0),
         (4.1, 0.0),
-        (4.1, 2.8),
-        (4.0, 2.8),
+        (4.1, 2.5),
+        (4.0, 2.5),
         (4.0, 0.0),
     ];
-    let walls = [green, white, orange, white, white, white, white, white];
+    let walls = [white, white, rose, white, white, white, white, blue];
     builder.room(&plan, 2.8, wood, white, &walls);
-    let panel = [(0.5, 0.6), (0.5, 1.8), (2.3, 1.8), (2.3, 0.6)];
-    let panel = panel.map(|(y, z)| dvec3(4.1, y, z));
-    builder.face(lamp, &[panel[0], panel[3], panel[2], panel[1]]);
-    builder.block(&[(1.9, 1.3), (1.5, 2.2), (2.4, 2.6), (2.8, 1.7)], 0.75, white);
+    let panel = [(0.5, 0.6), (2.3, 0.6), (2.3, 1.8), (0.5, 1.8)];
+    builder.face(lamp, &panel.map(|(y, z)| dvec3(4.1, y, z)));
+    builder.block(&[(2.3, 1.2), (1.9, 2.1), (2.8, 2.5), (3.2, 1.6)], 0.75, white);
+    builder.block(&[(2.9, 3.0), (2.9, 3.5), (3.4, 3.5), (3.4, 3.0)], 1.3, green);
     let camera = Camera {
-        eye: dvec3(0.25, 1.6, 0.3),
-        target: dvec3(3.2, 1.05, 2.6),
+        eye: dvec3(0.2, 1.6, 0.5),
+        target: dvec3(3.3, 1.1, 2.6),
         up: DVec3::Y,
-        fov: 60.0,
+        fov: 58.0,
     };
     builder.scene("indirect-room", camera)
 }

@@ -41,20 +41,27 @@ pub(super) fn settled(
     let mut left = Vec::with_capacity(surfaces.len());
     for (surface, mut winners) in surfaces.iter().zip(winners) {
         winners.sort_unstable();
-        let mut pieces = vec![surface.polygon.clone()];
+        let mut pieces = vec![(surface.polygon.clone(), extent(&surface.polygon))];
         for winner in winners.iter().map(|&w| &surfaces[w]) {
-            let before: f64 = pieces.iter().map(Polygon::area).sum();
-            pieces = pieces
-                .into_iter()
-                .flat_map(|piece| cut(piece, &winner.polygon, tolerance))
-                .collect();
-            let taken = before - pieces.iter().map(Polygon::area).sum::<f64>();
+            let hole = (&winner.polygon, extent(&winner.polygon));
+            let touched =
+                pieces.extract_if(.., |piece| !apart(&piece.1, &hole.1, tolerance));
+            let touched: Vec<_> = touched.map(|piece| piece.0).collect();
+            let mut taken = 0.0;
+            for piece in touched {
+                taken += piece.area();
+                for part in cut(piece, hole.0, tolerance) {
+                    taken -= part.area();
+                    let extent = extent(&part);
+                    pieces.push((part, extent));
+                }
+            }
             match lost.iter_mut().rfind(|l| (l.0, l.1) == (surface.face, winner.face)) {
                 Some(entry) => entry.2 += taken,
                 None => lost.push((surface.face, winner.face, taken)),
             }
         }
-        let piece = |polygon| Surface { polygon, ..surface.clone() };
+        let piece = |(polygon, _)| Surface { polygon, ..surface.clone() };
         left.extend(pieces.into_iter().map(piece));
     }
     warnings.extend(lost.into_iter().map(|(face, by, area)| Warning::Covered {
@@ -67,8 +74,7 @@ pub(super) fn settled(
 
 /// Pairs of surfaces of different faces that overlap in one plane, front to front.
 fn overlapping(surfaces: &[Surface]) -> Vec<(usize, usize)> {
-    let boxes: Vec<(DVec3, DVec3)> =
-        surfaces.iter().map(|s| bounds(s.polygon.vertices().iter().copied())).collect();
+    let boxes: Vec<Extent> = surfaces.iter().map(|s| extent(&s.polygon)).collect();
     let tolerance = tolerance(surfaces);
     let (low, high) = bounds(boxes.iter().flat_map(|b| [b.0, b.1]));
     let axis = (high - low).max_position();
@@ -82,15 +88,27 @@ fn overlapping(surfaces: &[Surface]) -> Vec<(usize, usize)> {
                 break; // and so do all that follow
             }
             let (a, b) = (&surfaces[i], &surfaces[j]);
-            let apart = boxes[i].0.cmpgt(boxes[j].1 + tolerance).any()
-                || boxes[j].0.cmpgt(boxes[i].1 + tolerance).any();
-            if !apart && a.face != b.face && overlap(&a.polygon, &b.polygon, tolerance)
+            if a.face != b.face
+                && !apart(&boxes[i], &boxes[j], tolerance)
+                && overlap(&a.polygon, &b.polygon, tolerance)
             {
                 pairs.push((i, j));
             }
         }
     }
     pairs
+}
+
+/// The lowest and the highest corner of a box.
+type Extent = (DVec3, DVec3);
+
+fn extent(polygon: &Polygon) -> Extent {
+    bounds(polygon.vertices().iter().copied())
+}
+
+/// Is there a gap wider than this between the boxes?
+fn apart(a: &Extent, b: &Extent, gap: f64) -> bool {
+    a.0.cmpgt(b.1 + gap).any() || b.0.cmpgt(a.1 + gap).any()
 }
 
 /// What counts as rounding, in scene units.

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! A **suspect** is what the numbers would be if one known mistake had been made. When
-//! the student's numbers are a suspect's, the mistake is named; when all of them are the
-//! same multiple of the right ones, the multiple is.
+//! the student's numbers are a suspect's, the mistake is named; when all of them are
+//! the same multiple of the right ones, the multiple is.
 
 use std::fmt::Write;
 
@@ -26,7 +26,7 @@ pub struct Verdict {
     pub metric: f64,
     /// The largest deviation that passes.
     pub tolerance: f64,
-    /// What is wrong, with the value got and the value expected; `None` when all is well.
+    /// What is wrong, the value got and the value expected; `None` when all is well.
     pub message: Option<String>,
     /// The mistake that explains it.
     pub bug: Option<Bug>,

@@ -59,7 +59,7 @@ impl Grade {
     /// The neutral record: `{schema, work, cohort, points, max, tests: [{id, lab, task,
     /// title, points, max, passed, message, bug, hint, metric, tolerance, seconds}]}`.
     ///
-    /// `metric` is `null` where nothing was measured: a panic, a time-out, a wrong length.
+    /// `metric` is `null` where nothing was measured: a panic, a list too short.
     pub fn json(&self) -> Value {
         let (points, max) = self.points();
         let test = |line: Line| {
@@ -128,7 +128,8 @@ impl Grade {
                 out += &match &test.verdict.message {
                     None => "/>\n".to_string(),
                     Some(message) => format!(
-                        ">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
+                        ">\n      <failure message=\"{}\">{}</failure>\n    \
+                         </testcase>\n",
                         escaped(message),
                         escaped(&told(test))
                     ),

@@ -117,7 +117,7 @@ pub trait Kit: Sync {
     fn checks(&self) -> Vec<About>;
     /// The played students: name, thought, and the mistakes to be named.
     fn wrong(&self) -> Vec<(&'static str, &'static str, &'static [Bug])>;
-    /// Runs check `index` on somebody's work; `None` when there is no such check or work.
+    /// Runs check `index` on somebody's work; `None` when there is none of either.
     fn run(&self, who: &Who, index: usize, stream: &mut Stream) -> Option<Verdict>;
 }
 

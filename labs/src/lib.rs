@@ -16,10 +16,10 @@
 //! `cargo lab` lists, runs, hints and grades; `cargo lab ci` proves that the starter
 //! fails, that the answer passes, and that each played student is caught and named.
 //!
-//! **What the grader does not do.** The answers are public: they lie beside the starter.
-//! A *cohort* seed varies scenes and numbers, so that copied results do not transfer;
-//! copied code does. A check runs in a process of its own with a limit on its time, but
-//! not on its memory, its files or its network: grade strangers' code in a sandbox.
+//! **Not here:** secrets. The answers are public: they lie beside the starter. A *cohort*
+//! seed varies scenes and numbers, so that copied results do not transfer; copied code
+//! does. Nor a sandbox: a task runs in a process of its own with a limit on its time, but
+//! not on its memory, its files or its network. Grade strangers' code inside one.
 #![forbid(unsafe_code)]
 
 pub mod check;

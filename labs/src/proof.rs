@@ -14,8 +14,8 @@ const SHORT: Duration = Duration::from_secs(1);
 
 /// Proves `lab` for each of `cohorts`; returns what was proven, and what failed.
 ///
-/// With `worked`, a task whose `todo!` is gone from the starter need not fail: a student
-/// has been at it. `program` is the grader itself.
+/// With `worked`, a task whose `todo!` is gone from the starter need not fail: some
+/// student has been at it. `program` is the grader itself.
 ///
 /// # Errors
 /// When `program` cannot be started.

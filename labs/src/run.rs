@@ -1,8 +1,8 @@
 //! Running checks so that nothing a student writes can stop the grader.
 //!
-//! The tasks of a lab run one after another, each in a process of its own: this program,
-//! started again. A panic fails one check. A crash, or a loop without end, fails the
-//! checks of its task that had not finished. What the student prints is passed on.
+//! The tasks of a lab run one after another, each in a process of its own: this
+//! program, started again. A panic fails one check. A crash, or a loop without end,
+//! fails the checks of its task that had not finished. What the student prints is passed on.
 
 use crate::check::{Bug, Verdict};
 use crate::lab::{About, Lab, Who};
@@ -128,8 +128,8 @@ impl Runner {
         Ok(checks.map(test).collect())
     }
 
-    /// Collects what the child finds until it ends or its time is up; says which, as the
-    /// mistake that explains the checks it did not come to.
+    /// Collects what the child finds until it ends or its time is up; says which, as
+    /// the mistake that explains the checks it did not come to.
     fn listen(&self, start: Instant, child: &mut Child, found: &mut Vec<Found>) -> Bug {
         let (send, lines) = channel();
         if let Some(out) = child.stdout.take() {

@@ -66,7 +66,7 @@ fn a_wrong_answer_is_told_its_mistake_in_every_format() {
     let known = tests.iter().find(|t| t["id"] == "hemicube.6.known").expect("known");
     assert_eq!(known["bug"], "normalised-away");
     let message = known["message"].as_str().expect("a message");
-    // failures.md, row 14: a program that is .128 where .2395 is right, with right sums.
+    // The known wrong program: .128 where .2395 is right, with rows that sum to 1.
     assert!(message.contains("got 0.128"), "{message}");
     assert!(message.contains("46 % low"), "{message}");
     assert!(message.contains("sums to 1.000"), "{message}");

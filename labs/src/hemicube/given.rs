@@ -190,19 +190,3 @@ pub fn table(
         side: (0..cells(n, 1)).map(weigh_side).collect(),
     }
 }
-
-/// The exact form factor from a point with unit normal to a polygon wholly above its
-/// horizon, of which nothing is hidden (Lambert 1760).
-///
-/// ```text
-/// F = 1/(2π) |Σₖ γₖ n · (Rₖ × Rₖ₊₁)/|Rₖ × Rₖ₊₁||      γₖ the angle from Rₖ to Rₖ₊₁
-/// ```
-pub fn lambert(eye: DVec3, normal: DVec3, polygon: &Polygon) -> f64 {
-    let edge = |(a, b): (DVec3, DVec3)| {
-        let (a, b) = (a - eye, b - eye);
-        let across = a.cross(b);
-        let sine = across.length();
-        if sine > 0.0 { sine.atan2(a.dot(b)) * normal.dot(across) / sine } else { 0.0 }
-    };
-    (polygon.edges().map(edge).sum::<f64>() / (2.0 * PI)).abs()
-}

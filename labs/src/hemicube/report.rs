@@ -1,10 +1,11 @@
-//! The experiment of the report question: a small square, somewhere, facing the element.
+//! The experiment of the report question: a small square somewhere, facing the eye.
 //!
 //! `cargo run -p labs --example small_square` runs it on the student's work.
 
 use super::Work;
-use super::given::{StudentHemicube, lambert};
+use super::given::StudentHemicube;
 use radiosity::form_factor::FormFactors;
+use radiosity::form_factor::analytic::lambert_polygon;
 use radiosity::mesh::ElementId;
 use radiosity::prelude::{DVec3, Frame, Polygon, dvec3};
 use radiosity::random::Stream;
@@ -22,8 +23,8 @@ pub struct Seen {
 /// Puts a square of this side at `places` random places 1 away, facing the element, and
 /// compares a hemicube of `n` cells with the exact factor.
 ///
-/// Directions are uniform over the upper hemisphere down to a height of 0.1, so that the
-/// whole square lies above the horizon (for sides up to 0.14).
+/// Directions are uniform over the upper hemisphere down to a height of 0.1, so that
+/// the whole square lies above the horizon (for sides up to 0.14).
 pub fn small_squares(work: &Work, n: usize, side: f64, places: usize) -> Seen {
     let mut stream = Stream::named(n as u64, &[]);
     let mut place = || {
@@ -36,7 +37,7 @@ pub fn small_squares(work: &Work, n: usize, side: f64, places: usize) -> Seen {
     let own = square(DVec3::ZERO, 0.01).flipped();
     let (mut missed, mut off) = (0, 0.0);
     for lamp in squares {
-        let exact = lambert(DVec3::ZERO, DVec3::Z, &lamp);
+        let exact = lambert_polygon(DVec3::ZERO, DVec3::Z, &lamp);
         let elements = [own.clone(), lamp];
         let mut row = [0.0; 2];
         StudentHemicube::new(work, &elements, n).row(ElementId(0), &mut row);

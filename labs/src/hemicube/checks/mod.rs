@@ -1,5 +1,6 @@
-//! The checks of lab 1. Each task is judged on values that do not come from the student's
-//! other tasks, so that one mistake fails one task; task 6 tries all of them together.
+//! The checks of lab 1. Each task is judged on values that do not come from the
+//! student's other tasks, so that one mistake fails one task; task 6 tries all of them
+//! together.
 
 mod buffer;
 mod row;

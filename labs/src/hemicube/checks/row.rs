@@ -28,7 +28,7 @@ pub fn row(work: &Work, stream: &mut Stream, part: Part, old: f64) -> Verdict {
     };
     let items: [Vec<Item>; FACES] =
         std::array::from_fn(|face| (0..cells(N, face)).map(&mut draw).collect());
-    // Weights that are no hemicube's, and do not sum to 1: whatever they are, they count.
+    // Weights of no hemicube, which do not sum to 1: whatever they are, they count.
     let mut noise = || uniform(stream, 0.2, 1.0) / (3 * N * N) as f64;
     let mut list = |face| (0..cells(N, face)).map(|_| noise()).collect();
     let weights = Weights { top: list(0), side: list(1) };

@@ -4,14 +4,15 @@
 //! |F̂ − F| ≤ L e / (2π) + e² F      L the outline's length on the hemicube, e the edge
 //! ```
 //! A cell counts wholly or not at all: at most half a cell's width along the outline is
-//! given to the wrong element, and no place of the hemicube weighs more than 1/π per area
-//! (the middle of the top). The second term is that of the weights.
+//! given to the wrong element, and no place of the hemicube weighs more than 1/π per
+//! area (the middle of the top). The second term is that of the weights.
 
 use super::{sized, uniform};
 use crate::check::{Verdict, Within, compare};
 use crate::hemicube::Work;
 use crate::hemicube::bugs::NORMALISED_AWAY;
-use crate::hemicube::given::{StudentHemicube, Weights, lambert};
+use crate::hemicube::given::{StudentHemicube, Weights};
+use radiosity::form_factor::analytic::lambert_polygon;
 use radiosity::form_factor::{FormFactors, Lost};
 use radiosity::mesh::ElementId;
 use radiosity::prelude::{DVec3, Polygon, dvec3};
@@ -45,7 +46,7 @@ fn floor(size: f64) -> Polygon {
     rectangle(DVec3::ZERO, DVec3::X * size, DVec3::Y * size)
 }
 
-/// The six walls of the box `±half`, fronts inward, the floor first and the ceiling last.
+/// The six walls of the box `±half`, fronts inward, floor first and ceiling last.
 fn room(half: DVec3) -> Vec<Polygon> {
     let (x, y, z) = (DVec3::X * half.x, DVec3::Y * half.y, DVec3::Z * half.z);
     vec![
@@ -85,7 +86,7 @@ pub fn known(work: &Work, _: &mut Stream) -> Verdict {
         "{message}: {:.0} % {way}; the row of a closed room sums to {sum:.3}",
         percent.abs()
     );
-    // Right sums, and the weights alone give the wrong factor: nothing else is to blame.
+    // Right sums, and the weights alone give this factor: nothing else is to blame.
     let Weights { top, .. } = (work.weights)(256);
     let middle = (0..top.len()).filter(|k| {
         let inside = |k: usize| (64..192).contains(&k);
@@ -110,7 +111,7 @@ pub fn elsewhere(work: &Work, stream: &mut Stream) -> Verdict {
     let along = dvec3(turn.cos(), turn.sin(), 0.0) * height;
     let centre = dvec3(uniform(stream, -0.3, 0.3), uniform(stream, -0.3, 0.3), 1.0);
     let lid = rectangle(centre * height, along * b, along.cross(DVec3::Z) * a);
-    let expected = lambert(DVec3::ZERO, DVec3::Z, &lid);
+    let expected = lambert_polygon(DVec3::ZERO, DVec3::Z, &lid);
     let (row, _) = match seen(work, &[floor(0.01), lid], N) {
         Ok(seen) => seen,
         Err(wrong) => return wrong,
@@ -126,7 +127,7 @@ pub fn closed(work: &Work, stream: &mut Stream) -> Verdict {
     let mut half = || uniform(stream, 0.4, 1.5);
     let walls = room(dvec3(half(), half(), half()));
     let eye = walls[0].centroid();
-    let exact = |wall: &Polygon| lambert(eye, DVec3::Z, wall);
+    let exact = |wall: &Polygon| lambert_polygon(eye, DVec3::Z, wall);
     let mut expected: Vec<f64> = walls.iter().map(exact).collect();
     expected[0] = 0.0;
     let (row, lost) = match seen(work, &walls, N) {
@@ -156,8 +157,8 @@ pub fn hidden(work: &Work, stream: &mut Stream) -> Verdict {
     let (a, b) = (uniform(stream, 0.2, 0.5), uniform(stream, 0.2, 0.5));
     let centre = DVec3::Z * height;
     let down = rectangle(centre, DVec3::Y * (a * height), DVec3::X * (b * height));
-    let card = lambert(DVec3::ZERO, DVec3::Z, &down);
-    let rest = lambert(DVec3::ZERO, DVec3::Z, &lid) - card;
+    let card = lambert_polygon(DVec3::ZERO, DVec3::Z, &down);
+    let rest = lambert_polygon(DVec3::ZERO, DVec3::Z, &lid) - card;
     let judge = |card_is: Polygon, expected: [f64; 3], what: &'static str| {
         // The card stands last: a buffer that keeps the first would see the lid.
         let (row, lost) = match seen(work, &[floor(0.01), lid.clone(), card_is], N) {
@@ -179,7 +180,7 @@ pub fn open(work: &Work, stream: &mut Stream) -> Verdict {
     let mut half = || uniform(stream, 0.4, 1.5);
     let mut walls = room(dvec3(half(), half(), half()));
     let eye = walls[0].centroid();
-    let lid = walls.pop().map_or(0.0, |lid| lambert(eye, DVec3::Z, &lid));
+    let lid = walls.pop().map_or(0.0, |lid| lambert_polygon(eye, DVec3::Z, &lid));
     let (row, lost) = match seen(work, &walls, N) {
         Ok(seen) => seen,
         Err(wrong) => return wrong,

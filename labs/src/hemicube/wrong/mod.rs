@@ -1,6 +1,6 @@
-//! Played students of lab 1: the answer with one mistake each. `cargo lab ci` proves that
-//! every one is caught and named; `cargo lab run hemicube --wrong NAME` shows what the
-//! student would read. They are written on their own: not by the formulas by which the
+//! Played students of lab 1: the answer with one mistake each. `cargo lab ci` proves
+//! that every one is caught and named; `cargo lab run hemicube --wrong NAME` shows what
+//! the student would read. They are written on their own: not by the formulas by which the
 //! checks suspect a mistake.
 
 mod buffer;

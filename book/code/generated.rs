@@ -1,5 +1,6 @@
 //! The files of the book that a program writes; `tests/book.rs` fails when one is stale.
 
+use crate::hemicube::{section, sheet, table, view};
 use crate::lecture_map;
 use std::path::{Path, PathBuf};
 
@@ -10,6 +11,20 @@ pub fn root() -> &'static Path {
 
 /// Path and text of every generated file.
 pub fn files() -> Vec<(PathBuf, String)> {
+    let mut files = vec![
+        ("lecture-map.md".to_string(), lecture_map::page()),
+        ("generated/hemicube-section.svg".into(), section::svg()),
+        ("generated/hemicube-view.html".into(), view::caption(64)),
+        ("generated/hemicube-table.md".into(), table::markdown()),
+    ];
+    for resolution in [8, 32, 128] {
+        let name = format!("generated/hemicube-lamp-{resolution}.html");
+        files.push((name, view::lamp_caption(resolution)));
+    }
+    for resolution in [32, 64, 256] {
+        let name = format!("generated/hemicube-aliasing-{resolution}.html");
+        files.push((name, sheet::caption(resolution, 0.02)));
+    }
     let src = root().join("src");
-    vec![(src.join("lecture-map.md"), lecture_map::page())]
+    files.into_iter().map(|(name, text)| (src.join(name), text)).collect()
 }

@@ -12,6 +12,7 @@
 #![forbid(unsafe_code)]
 
 pub mod generated;
+pub mod hemicube;
 pub mod html;
 pub mod lecture_map;
 pub mod source;

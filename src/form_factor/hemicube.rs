@@ -50,9 +50,9 @@ impl Face {
     pub const ALL: [Face; 5] =
         [Face::Top, Face::East, Face::North, Face::West, Face::South];
 
-    // ANCHOR: views
     /// What the eye sees through this face. The sides end at the horizon.
     pub fn view(self, eye: DVec3, frame: &Frame) -> View {
+        // ANCHOR: views
         let &Frame { x, y, z } = frame;
         let side = |right, forward| View::new(eye, right, 2.0 * z - forward, forward);
         match self {
@@ -62,8 +62,8 @@ impl Face {
             Face::West => side(-y, -x),
             Face::South => side(x, -y),
         }
+        // ANCHOR_END: views
     }
-    // ANCHOR_END: views
 
     /// Columns and rows of cells, when the top has `resolution` of each.
     pub fn size(self, resolution: u32) -> (u32, u32) {
@@ -82,7 +82,6 @@ pub struct Weights {
 }
 
 impl Weights {
-    // ANCHOR: exact
     /// `ΔF` integrated over each cell; positive, dimensionless, with sum 1 to rounding.
     ///
     /// ```text
@@ -92,6 +91,7 @@ impl Weights {
     /// between the corners of the cell (Howell's B-3 for the top). Each weight is a
     /// difference of four such terms, good to 1e-16 absolute.
     pub fn exact(resolution: u32) -> Weights {
+        // ANCHOR: exact
         let part = |x: f64, y: f64| x / x.hypot(1.0) * (y / x.hypot(1.0)).atan();
         let top = |x: f64, y: f64| (part(x, y) + part(y, x)) / TAU;
         let side = |y: f64, z: f64| -(y / z.hypot(1.0)).atan() / z.hypot(1.0) / TAU;
@@ -99,23 +99,23 @@ impl Weights {
             f(x1, y1) - f(x0, y1) - f(x1, y0) + f(x0, y0)
         };
         Weights::cell_by_cell(resolution, |c| integral(&top, c), |c| integral(&side, c))
+        // ANCHOR_END: exact
     }
-    // ANCHOR_END: exact
 
-    // ANCHOR: at_centres
     /// The classic weights: the integrand at the centre of each cell times its area.
     ///
     /// Their sum misses 1 by .0021, .00053, .00013, .00003 at a resolution of 16, 32,
     /// 64, 128: an error that [`Weights::exact`] does not make, and not the one that
     /// matters.
     pub fn at_centres(resolution: u32) -> Weights {
+        // ANCHOR: at_centres
         let cell = |[x0, x1, y0, y1]: [f64; 4]| {
             let (x, y) = (0.5 * (x0 + x1), 0.5 * (y0 + y1));
             (y, (x1 - x0) * (y1 - y0) / (PI * (x * x + y * y + 1.0).powi(2)))
         };
         Weights::cell_by_cell(resolution, |c| cell(c).1, |c| cell(c).0 * cell(c).1)
+        // ANCHOR_END: at_centres
     }
-    // ANCHOR_END: at_centres
 
     /// Weights from a rule for a top cell and one for a side cell `[x0, x1, y0, y1]`.
     fn cell_by_cell(
@@ -231,7 +231,6 @@ impl<'m> Hemicube<'m> {
         Frame { x, y: normal.cross(x), z: normal }
     }
 
-    // ANCHOR: gather
     fn gather(
         &self,
         point: DVec3,
@@ -242,6 +241,7 @@ impl<'m> Hemicube<'m> {
         debug_assert_eq!(row.len(), self.mesh.elements.len(), "one factor per element");
         row.fill(0.0);
         let mut lost = Lost::default();
+        // ANCHOR: gather
         self.draw(point, &self.frame(point, normal), own, |face, cells| {
             let weights = self.weights.of(face);
             for (seen, first, end) in cells.runs() {
@@ -253,9 +253,9 @@ impl<'m> Hemicube<'m> {
                 }
             }
         });
+        // ANCHOR_END: gather
         lost
     }
-    // ANCHOR_END: gather
 
     /// Draws the elements through the five faces, but for those of patch `own`: a flat
     /// patch does not see itself.
@@ -268,6 +268,7 @@ impl<'m> Hemicube<'m> {
     ) {
         let spare = self.buffers.lock().ok().and_then(|mut spare| spare.pop());
         let mut buffer = spare.unwrap_or_else(|| ItemBuffer::new(1, 1));
+        // ANCHOR: faces
         for face in Face::ALL {
             let (width, height) = face.size(self.resolution);
             buffer.reset(width, height);
@@ -279,6 +280,7 @@ impl<'m> Hemicube<'m> {
             }
             show(face, &buffer);
         }
+        // ANCHOR_END: faces
         if let Ok(mut spare) = self.buffers.lock() {
             spare.push(buffer);
         }

@@ -213,6 +213,7 @@ impl ItemBuffer {
             let pixels = y * self.width as usize + columns.start
                 ..y * self.width as usize + columns.end;
             let left = corner + dy * y as f64;
+            // ANCHOR: nearest
             let mut x = columns.start as f64;
             let row = self.items[pixels.clone()].iter_mut();
             for (old, nearest) in row.zip(&mut self.nearness[pixels]) {
@@ -222,6 +223,7 @@ impl ItemBuffer {
                 }
                 x += 1.0;
             }
+            // ANCHOR_END: nearest
         }
     }
     // ANCHOR_END: fill

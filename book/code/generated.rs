@@ -17,7 +17,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
         ("generated/hemicube-view.html".into(), view::caption(64)),
         ("generated/hemicube-table.md".into(), table::markdown()),
     ];
-    for resolution in [8, 32, 128] {
+    for resolution in [16, 64, 256] {
         let name = format!("generated/hemicube-lamp-{resolution}.html");
         files.push((name, view::lamp_caption(resolution)));
     }

@@ -77,11 +77,18 @@ pub const ROWS: [Row; 23] = [
         "The final view",
         false,
     ),
-    planned(
-        "hemicube: render the scene onto half a cube, ids instead of colours",
-        "The hemicube",
-        true,
-    ),
+    Row {
+        topic: "hemicube: render the scene onto half a cube, ids instead of colours",
+        title: "The hemicube",
+        lab: true,
+        state: State::Done(Written {
+            page: "hemicube.md",
+            module: "src/form_factor/hemicube.rs",
+            figure: "pictures/hemicube-items.snap.png",
+            test: ("tests/hemicube.rs", "the_opposite_square_is_found"),
+            lab: Some("labs/hemicube.md"),
+        }),
+    },
     planned(
         "substructuring: split near lights and at shadow boundaries",
         "Substructuring: where to split",

@@ -27,6 +27,8 @@ mod pages {
     }
     pages! {
         index: "index.md",
+        hemicube: "hemicube.md",
+        labs_hemicube: "labs/hemicube.md",
         notation: "notation.md",
         bibliography: "bibliography.md",
         lecture_map: "lecture-map.md",

@@ -168,14 +168,11 @@ fn fence_faults(folder: &Path, fence: &Fence) -> Vec<String> {
             faults.push(format!("{at}: a listing names its anchor"));
         }
     }
-    if fence.runs() && !body.contains("# extern crate radiosity;") {
+    let linked = body.contains("# extern crate radiosity;");
+    if fence.runs() && body.contains("radiosity::") && !linked {
         faults.push(format!("{at}: the example lacks `# extern crate radiosity;`"));
     }
     for shown in listing.iter().filter_map(|target| included(folder, target).ok()) {
-        let lines = shown.lines().count();
-        if fence.info.starts_with("rust") && lines > LISTING {
-            faults.push(format!("{at}: {lines} lines; {LISTING} are what one reads"));
-        }
         faults.extend(too_wide(&at, &shown));
     }
     faults.extend(too_wide(&at, &body));
@@ -187,13 +184,24 @@ fn too_wide(at: &str, code: &str) -> Option<String> {
     (widest > COLUMNS).then(|| format!("{at}: {widest} columns, more than {COLUMNS}"))
 }
 
-/// The faults of a page as a written chapter: sections, picture, example, minutes.
-pub fn chapter_faults(text: &str) -> Vec<String> {
+/// The faults of a page as a written chapter: sections, listings, picture, example,
+/// minutes.
+pub fn chapter_faults(folder: &Path, text: &str) -> Vec<String> {
     let mut faults = Vec::new();
     let headings: Vec<&str> =
         text.lines().filter_map(|line| line.strip_prefix("## ")).collect();
     if headings != SECTIONS {
         faults.push(format!("sections are {headings:?}; they must be {SECTIONS:?}"));
+    }
+    for fence in fences(text).iter().filter(|fence| fence.info.contains("ignore")) {
+        let body = fence.body.join("\n");
+        for shown in includes(&body).iter().filter_map(|t| included(folder, t).ok()) {
+            let (at, lines) = (fence.line, shown.lines().count());
+            if lines > LISTING {
+                let fault = format!("line {at}: {lines} lines; one reads {LISTING}");
+                faults.push(fault);
+            }
+        }
     }
     if !text.contains(".snap.png") {
         faults.push("no snapshot picture (pictures/*.snap.png)".into());

@@ -89,7 +89,8 @@ fn a_row_marked_done_has_page_figure_and_test() {
     for row in &ROWS {
         let State::Done(written) = &row.state else { continue };
         let text = read(written.page);
-        let chapter = source::chapter_faults(&text);
+        let folder = src(written.page).parent().unwrap().to_path_buf();
+        let chapter = source::chapter_faults(&folder, &text);
         faults.extend(chapter.into_iter().map(|f| format!("{}: {f}", written.page)));
         if !src(written.figure).is_file() || !text.contains(written.figure) {
             faults.push(format!("{}: its page does not show it", written.figure));

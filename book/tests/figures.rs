@@ -18,7 +18,7 @@ fn hemicube_in_the_cornell_box() {
 
 #[test]
 fn hemicube_at_three_resolutions() {
-    for resolution in [8, 32, 128] {
+    for resolution in [16, 64, 256] {
         assert_picture(
             PICTURES,
             &format!("hemicube-items-{resolution}"),

@@ -26,6 +26,7 @@ fn write_folder() -> &'static Path {
     folder
 }
 
+const LONG: &str = "```rust,ignore\n{{#include code.rs:long}}\n```\n";
 const RUN: &str = "```rust\n# extern crate radiosity;\nassert!(true);\n```\n";
 
 #[test]
@@ -52,8 +53,7 @@ fn seeded_faults_of_a_page_are_caught() {
         ("```\nlet x = 1;\n```", "no tag"),
         ("```rust,ignore\nlet x = 1;\n```", "listings by include alone"),
         ("```rust,ignore\n{{#include code.rs}}\n```", "names its anchor"),
-        ("```rust,ignore\n{{#include code.rs:long}}\n```", "13 lines"),
-        ("```rust\nlet x = 1;\n```", "extern crate radiosity"),
+        ("```rust\nuse radiosity::film;\n```", "extern crate radiosity"),
         (wide.as_str(), "89 columns"),
         ("![](x.png)", "without alt text"),
         ("## The size of $`x`$", "math in a heading"),
@@ -75,15 +75,16 @@ fn seeded_faults_of_a_chapter_are_caught() {
     };
     let sections: String = SECTIONS.into_iter().map(heading).collect();
     let good = format!("{sections}\n![a](a.snap.png)\n{RUN}");
-    assert_eq!(chapter_faults(&good), [""; 0]);
+    assert_eq!(chapter_faults(folder(), &good), [""; 0]);
     let samples = [
         (good.replace("## The idea\n", ""), "sections are"),
         (good.replace(".snap.png", ".png"), "no snapshot picture"),
         (good.replace("```rust", "```text"), "no tested example"),
         (good.replace("5 min", ""), "no lecturer's notes"),
+        (format!("{good}{LONG}"), "13 lines"),
     ];
     for (sample, expected) in samples {
-        let found = chapter_faults(&sample);
+        let found = chapter_faults(folder(), &sample);
         assert!(found.iter().any(|f| f.contains(expected)), "{expected}: {found:?}");
     }
 }

@@ -20,6 +20,14 @@
         render(code.textContent, span, false);
     });
 })();
+// Listings come from the middle of a file: moves them to the left margin.
+document.querySelectorAll("code.language-rust").forEach((code) => {
+    const lines = code.textContent.split("\n").filter((line) => line.trim());
+    const margin = Math.min(...lines.map((line) => line.search(/\S/)));
+    if (margin > 0) code.innerHTML = code.innerHTML.replaceAll(" ".repeat(margin), (s, at, all) =>
+        at === 0 || all[at - 1] === "\n" ? "" : s);
+});
+
 // What .ci/browser asks for: formulas, formulas that failed, pictures that did not load.
 addEventListener("load", () => {
     const count = (selector) => document.querySelectorAll(selector).length;

@@ -1,6 +1,6 @@
 //! The files of the book that a program writes; `tests/book.rs` fails when one is stale.
 
-use crate::hemicube::{section, sheet, table, view};
+use crate::hemicube::{cost, ledger, section, sheet, table, view};
 use crate::lecture_map;
 use std::path::{Path, PathBuf};
 
@@ -14,15 +14,17 @@ pub fn files() -> Vec<(PathBuf, String)> {
     let mut files = vec![
         ("lecture-map.md".to_string(), lecture_map::page()),
         ("generated/hemicube-section.svg".into(), section::svg()),
-        ("generated/hemicube-view.html".into(), view::caption(64)),
+        ("generated/hemicube-view.md".into(), view::caption(64)),
+        ("generated/hemicube-cost.svg".into(), cost::svg()),
+        ("generated/hemicube-ledger.md".into(), ledger::markdown()),
         ("generated/hemicube-table.md".into(), table::markdown()),
     ];
     for resolution in [16, 64, 256] {
-        let name = format!("generated/hemicube-lamp-{resolution}.html");
+        let name = format!("generated/hemicube-lamp-{resolution}.md");
         files.push((name, view::lamp_caption(resolution)));
     }
     for resolution in [32, 64, 256] {
-        let name = format!("generated/hemicube-aliasing-{resolution}.html");
+        let name = format!("generated/hemicube-aliasing-{resolution}.md");
         files.push((name, sheet::caption(resolution, 0.02)));
     }
     let src = root().join("src");

@@ -84,7 +84,7 @@ pub const ROWS: [Row; 23] = [
         state: State::Done(Written {
             page: "hemicube.md",
             module: "src/form_factor/hemicube.rs",
-            figure: "pictures/hemicube-items.snap.png",
+            figure: "pictures/hemicube-items-64.snap.png",
             test: ("tests/hemicube.rs", "the_opposite_square_is_found"),
             lab: Some("labs/hemicube.md"),
         }),

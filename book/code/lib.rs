@@ -11,6 +11,7 @@
 //! `cargo run -p book --bin check -- book/book` runs those over the built book.
 #![forbid(unsafe_code)]
 
+pub mod chart;
 pub mod generated;
 pub mod hemicube;
 pub mod html;

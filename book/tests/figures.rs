@@ -12,7 +12,6 @@ const PICTURES: &str = "src/pictures";
 
 #[test]
 fn hemicube_in_the_cornell_box() {
-    assert_picture(PICTURES, "hemicube-items", &view::items(64));
     assert_picture(PICTURES, "hemicube-weights", &view::weights(64));
 }
 

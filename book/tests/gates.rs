@@ -1,5 +1,6 @@
 //! Every gate is shown a small bad sample, and must catch it by name.
 
+use book::chart;
 use book::html;
 use book::source::{SECTIONS, chapter_faults, faults, fences, summary};
 use std::fs;
@@ -122,6 +123,16 @@ fn links_that_lead_nowhere_are_caught() {
     }
     assert_eq!(found.len(), 4, "{found:?}");
     assert!(html::faults(&site.join("nothing")).is_err());
+}
+
+/// The chart in the book is generated from the CSV, so a number that changes shows.
+#[test]
+fn a_changed_measurement_changes_the_chart() {
+    let csv = "method,setting,milliseconds,max_error,reference\na,1,0.5,1e-2,exact\n";
+    let draw = |csv: &str| chart::points(csv).map(|p| chart::svg("t", &p, "x", "y"));
+    assert!(draw(csv).is_some_and(|svg| svg.contains("<title>t</title>")));
+    assert_ne!(draw(csv), draw(&csv.replace("1e-2", "1.1e-2")));
+    assert_eq!(draw(&csv.replace("1e-2", "small")), None);
 }
 
 #[test]

@@ -24,8 +24,9 @@
 document.querySelectorAll("code.language-rust").forEach((code) => {
     const lines = code.textContent.split("\n").filter((line) => line.trim());
     const margin = Math.min(...lines.map((line) => line.search(/\S/)));
-    if (margin > 0) code.innerHTML = code.innerHTML.replaceAll(" ".repeat(margin), (s, at, all) =>
-        at === 0 || all[at - 1] === "\n" ? "" : s);
+    if (!(margin > 0 && margin < Infinity)) return;
+    const indent = new RegExp(`^ {${margin}}`, "gm");
+    code.innerHTML = code.innerHTML.replace(indent, "");
 });
 
 // What .ci/browser asks for: formulas, formulas that failed, pictures that did not load.

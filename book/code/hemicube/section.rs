@@ -68,7 +68,7 @@ pub fn svg() -> String {
     label(dvec2(1.1, 1.85), "patch");
     label(dvec2(-0.95, 1.08), "half cube, in cells");
     label(dvec2(-0.6, 0.62), "hemisphere");
-    label(dvec2(-0.25, -0.16), "element");
+    label(dvec2(-0.5, -0.16), "element");
     label(dvec2(0.2, -0.16), "shadow on the base: area πF");
     svg.push_str("</svg>\n");
     svg

@@ -1,7 +1,7 @@
 //! How wide, in cells, a patch must be: the measured rule.
 
 use super::sheet::{lamp, ratio};
-use glam::DVec2;
+use glam::{DVec2, dvec2};
 use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
@@ -21,7 +21,8 @@ pub fn rms(resolution: u32, side: f64) -> f64 {
     let mesh = Mesh::whole(&scene);
     let cube = Hemicube::new(&mesh, resolution);
     let lamp = &scene.surfaces[0].polygon;
-    let places = Stream::named(1, &[]).square(PLACES);
+    let places =
+        Stream::named(1, &[]).points(PLACES).map(|[x, y]: [f64; 2]| dvec2(x, y));
     let error = |u: DVec2| ratio(&cube, lamp, 2.0 * u - DVec2::ONE) - 1.0;
     (places.map(|u| error(u).powi(2)).sum::<f64>() / PLACES as f64).sqrt()
 }

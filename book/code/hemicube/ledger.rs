@@ -1,0 +1,55 @@
+//! The energy ledger of the chapter's scene, solved with hemicubes.
+
+use glam::DVec3;
+use radiosity::mesh::Mesh;
+use radiosity::scene::built_in;
+use radiosity::solve::{Factors, Ledger, Method, Options, Solution, solve_on};
+
+/// A scene solved by gathering, with factors of this kind and elements of this edge.
+fn solved(name: &str, max_edge: f64, factors: Factors) -> Solution {
+    let scene = built_in(name).expect("the scene is built in");
+    let mesh = Mesh::uniform(&scene, max_edge);
+    let options = Options { method: Method::Gather, factors, ..Options::default() };
+    solve_on(&scene, mesh, &options, &|_, _, _| {})
+}
+
+/// The ledger as a Markdown table.
+pub fn markdown() -> String {
+    let solution = solved("cornell", 0.1, Factors::Hemicube(64));
+    let Ledger { emitted, absorbed, escaped, unshot, imbalance } = solution.ledger;
+    let line = |name: &str, w: DVec3| {
+        let share = 100.0 * w.element_sum() / emitted.element_sum();
+        format!("| {name} | {:.4} | {:.4} | {:.4} | {share:.2} % |\n", w.x, w.y, w.z)
+    };
+    let mut text = format!(
+        "`cornell`, {} elements (edges ≤ 0.1 m), hemicubes of resolution 64, \
+         gathered in {} sweeps:\n\n| power, W | red | green | blue | share |\n\
+         |---|---|---|---|---|\n",
+        solution.mesh.elements.len(),
+        solution.steps
+    );
+    for (name, watts) in [
+        ("emitted", emitted),
+        ("absorbed", absorbed),
+        ("escaped", escaped),
+        ("unshot", unshot),
+        ("imbalance", imbalance),
+    ] {
+        text.push_str(&line(name, watts));
+    }
+    text.push_str(
+        "\nThe imbalance alone, in the closed room `l-room` (edges ≤ 0.5 m):\n\n\
+         | factors | imbalance |\n|---|---|\n",
+    );
+    for (name, factors) in [
+        ("hemicube, resolution 64", Factors::Hemicube(64)),
+        ("hemicube, resolution 256", Factors::Hemicube(256)),
+        ("rays, 10 000 from each element", Factors::Sampling(10_000)),
+        ("analytic", Factors::Analytic),
+    ] {
+        let Ledger { emitted, imbalance, .. } = solved("l-room", 0.5, factors).ledger;
+        let share = 100.0 * imbalance.element_sum() / emitted.element_sum();
+        text.push_str(&format!("| {name} | {share:.2} % |\n"));
+    }
+    text
+}

@@ -37,6 +37,9 @@ const PLOT: [f64; 4] = [480.0, 320.0, 70.0, 20.0];
 /// Mid-tones that stand out on white and on navy, and apart for the colour-blind.
 const COLOURS: [&str; 4] = ["#d55e00", "#3b8fd0", "#00a078", "#b765a0"];
 
+/// Keeps the grid out of a label: an outline in the page's background.
+const HALO: &str = "stroke=\"var(--bg)\" stroke-width=\"4\" paint-order=\"stroke\"";
+
 /// A logarithmic axis of whole decades.
 struct Axis {
     low: i32,
@@ -125,13 +128,13 @@ pub fn svg(title: &str, points: &[Point], across: &str, upward: &str) -> String 
             let label =
                 if last { format!("{method}, {setting}") } else { setting.into() };
             if k == 0 || last {
-                let (dx, anchor) = if last { (8.0, "start") } else { (0.0, "middle") };
-                let dy = if last { 4.0 } else { -9.0 };
+                let (dx, anchor) = if last { (8.0, "start") } else { (-8.0, "end") };
                 let _ = writeln!(
                     svg,
-                    "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{label}</text>",
+                    "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" \
+                     {HALO}>{label}</text>",
                     x + dx,
-                    y + dy
+                    y + 4.0
                 );
             }
         }

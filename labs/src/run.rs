@@ -101,7 +101,7 @@ impl Runner {
         let start = Instant::now();
         let mut child = Command::new(&self.program)
             .args(["one-task", lab.name, &task.to_string()])
-            .args(["--who", &who.to_string(), "--cohort", &self.cohort])
+            .args([format!("--who={who}"), format!("--cohort={}", self.cohort)])
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
             .stderr(if self.echo { Stdio::inherit() } else { Stdio::null() })

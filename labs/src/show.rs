@@ -108,10 +108,11 @@ pub fn report(
         }
         None if all && matches!(who, Who::Starter) => {
             out += "All passed. Read the hints once more: they say why it works.\n";
-            for task in 1..=lab.tasks.len() {
+            let done = |task: &usize| tests.iter().any(|t| t.about.task == *task);
+            for task in (1..=lab.tasks.len()).filter(done) {
                 out += &hints(lab, task);
             }
-            let _ = writeln!(out, "Then the report question: {}", lab.page());
+            let _ = writeln!(out, "\nThen the report question: {}", lab.page());
         }
         None => {}
     }
@@ -156,7 +157,8 @@ fn line(test: &Test, named: &mut Vec<&'static str>, paint: Paint) -> String {
 /// The hints for a task, as plain text.
 pub fn hints(lab: &Lab, task: usize) -> String {
     let mut out = format!("\nHints for task {task}, {}:\n", lab.tasks[task - 1].title);
-    for hint in lab.hints(task) {
+    for (k, hint) in lab.hints(task).into_iter().enumerate() {
+        out += if k > 0 { "\n" } else { "" };
         for line in hint.lines() {
             let _ = writeln!(out, "  {line}");
         }

@@ -31,6 +31,7 @@ fn exit_codes_tell_passed_failed_and_not_understood() {
         (&["run", "hemicube", "--limit", "0"], 2),
         (&["hint", "hemicube", "7"], 2),
         (&["grade", "hemicube", "--answer", "-o", "no/such/folder/grade.md"], 2),
+        (&["run", "hemicube", "--answer", "--cohort=--odd name"], 0),
         (&["list"], 0),
         (&["list", "hemicube"], 0),
         (&["nonsense"], 2),

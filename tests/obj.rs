@@ -1,20 +1,16 @@
 //! OBJ and MTL files: what is read, what is repaired, and what is refused, in which words.
 
 use glam::{DVec3, dvec3};
-use proptest::prelude::*;
+use radiosity::material::{Coefficients, Material};
 use radiosity::obj;
-use radiosity::scene::{FaceId, Scene, builtins};
+use radiosity::scene::{Face, FaceId, MaterialId, Scene, builtins};
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// Reads `obj` as `room.obj`, beside which there is only `room.mtl`.
 fn read(obj: &str, mtl: &str) -> Result<(Scene, Vec<String>), obj::ObjError> {
-    read_bytes(obj.as_bytes(), mtl.as_bytes())
-}
-
-fn read_bytes(obj: &[u8], mtl: &[u8]) -> Result<(Scene, Vec<String>), obj::ObjError> {
-    obj::read(Path::new("room.obj"), obj, |path| match path.to_str() {
-        Some("room.mtl") => Ok(mtl.to_vec()),
+    obj::read(Path::new("room.obj"), obj.as_bytes(), |path| match path.to_str() {
+        Some("room.mtl") => Ok(mtl.into()),
         _ => Err(io::ErrorKind::NotFound.into()),
     })
 }
@@ -117,6 +113,63 @@ fn every_built_in_scene_comes_back_bit_for_bit() {
     }
     // Nothing but the scenes is left behind.
     assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 2 * builtins().len());
+}
+
+/// Names that one line cannot hold, or that two materials share, are made to fit.
+#[test]
+fn materials_of_any_name_come_back() {
+    let folder = folder("names");
+    let material = |name: &str, ks: f64| {
+        let specular = DVec3::splat(ks);
+        Material::new(name, Coefficients { specular, ..Default::default() }).unwrap()
+    };
+    let materials =
+        vec![material("a\nb", 0.25), material("a b", 0.5), material("", 0.75)];
+    let face = |k| Face {
+        outline: vec![DVec3::ZERO, DVec3::X, DVec3::Y + f64::from(k) * DVec3::Z],
+        material: MaterialId(k),
+    };
+    let faces = (0..3).map(face).collect();
+    let (scene, _) = Scene::assemble("x:/../y", materials, faces, None).unwrap();
+    let paths = obj::export(&scene, &folder).unwrap();
+    assert_eq!(paths[0], folder.join("x--..-y.obj"));
+    let (back, warnings) = obj::load(&paths[0]).unwrap();
+    let names: Vec<&str> = back.materials.iter().map(Material::name).collect();
+    assert_eq!(names, ["a b", "a b-2", "material"]);
+    assert_eq!(back.materials[1].specular(), DVec3::splat(0.5));
+    assert_eq!(back.surfaces, scene.surfaces);
+    assert_eq!(warnings.len(), 3, "{warnings:?}"); // specular is not carried
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_named() {
+    let file = folder("unwritable").join("file");
+    std::fs::write(&file, "in the way").unwrap();
+    let error = obj::export(&(builtins()[0].make)(), &file).unwrap_err().to_string();
+    assert!(error.contains(&file.display().to_string()), "{error}");
+    assert_eq!(std::fs::read(&file).unwrap(), b"in the way");
+}
+
+#[test]
+fn a_camera_is_read_from_its_comment_and_a_broken_one_is_warned_of() {
+    let with = |camera: &str| {
+        let (scene, warnings) =
+            sound(&format!("{SQUARE}# camera {camera}\nf 1 2 3 4\n"), "");
+        (scene.camera, warnings.len() - 1) // the material is missing, too
+    };
+    let (camera, warnings) = with("eye 0 0 5 target 0 0 0 up 0 1 0 fov 30");
+    assert_eq!((camera.eye, camera.fov, warnings), (5.0 * DVec3::Z, 30.0, 0));
+    for broken in [
+        "eye 0 0 5",
+        "eye 0 0 5 target 0 0 0 up 0 1 0 fov 180",
+        "eye 0 0 5 target 0 0 5 up 0 1 0 fov 30",
+        "eye 0 5 0 target 0 0 0 up 0 1 0 fov 30",
+        "eye 0 0 nan target 0 0 0 up 0 1 0 fov 30",
+    ] {
+        let (camera, warnings) = with(broken);
+        assert!(camera.eye.is_finite() && warnings == 1, "{broken}");
+    }
+    assert_eq!(with("Camera.001 of some other program").1, 0);
 }
 
 // --- What is repaired ---------------------------------------------------------------
@@ -294,94 +347,4 @@ fn absurdly_long_faces_are_refused_and_long_ones_are_not() {
     let got = message(&ring(5000), "");
     assert!(got.contains("has 5000 corners; at most 4096"), "{got}");
     assert!(got.len() < 200, "{got}");
-}
-
-// --- Garbage ------------------------------------------------------------------------
-
-proptest! {
-    /// Whatever the bytes, there is an answer and no panic.
-    #[test]
-    fn binary_garbage_does_not_panic(
-        obj in proptest::collection::vec(any::<u8>(), 0..400),
-        mtl in proptest::collection::vec(any::<u8>(), 0..100),
-    ) {
-        if let Err(error) = read_bytes(&obj, &mtl) {
-            prop_assert!(!error.to_string().contains('\n'));
-        }
-    }
-
-    /// Neither does text that is nearly right.
-    #[test]
-    fn almost_obj_does_not_panic(
-        obj in proptest::collection::vec(statement(), 0..30),
-        mtl in proptest::collection::vec(material(), 0..12),
-    ) {
-        let text = format!("mtllib room.mtl\n{SQUARE}{}", obj.concat());
-        if let Err(error) = read(&text, &mtl.concat()) {
-            prop_assert!(!error.to_string().contains('\n'));
-        }
-    }
-
-    /// A sound file with a few bytes changed is read or refused.
-    #[test]
-    fn a_damaged_file_does_not_panic(
-        damage in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
-    ) {
-        let mut bytes = format!("mtllib room.mtl\n{SQUARE}usemtl m\nf 1 2 3 4\nf -1 -2 -3\n")
-            .into_bytes();
-        for (at, byte) in damage {
-            let at = at.index(bytes.len());
-            bytes[at] = byte;
-        }
-        let _ = read_bytes(&bytes, b"newmtl m\nKd .5 .5 .5\n");
-    }
-}
-
-fn number() -> impl Strategy<Value = String> {
-    prop_oneof![
-        8 => (-3i32..9).prop_map(|k| k.to_string()),
-        4 => any::<f64>().prop_map(|x| x.to_string()),
-        2 => "[-+]?[0-9]{0,3}\\.?[0-9]{0,3}(e[-+]?[0-9]{1,3})?",
-        1 => prop::sample::select(vec!["nan", "inf", "-", "/", "1/2/3", "1//", "#", "\\"])
-            .prop_map(str::to_string),
-    ]
-}
-
-fn statement() -> impl Strategy<Value = String> {
-    let key = prop::sample::select(vec![
-        "v",
-        "v",
-        "v",
-        "f",
-        "f",
-        "f",
-        "f",
-        "vt",
-        "vn",
-        "usemtl",
-        "usemtl m",
-        "g",
-        "o",
-        "s",
-        "l",
-        "p",
-        "mtllib",
-        "# camera",
-        "curv",
-        "",
-        "v\t",
-        "f \\\n",
-        "usemtl m\nf",
-    ]);
-    (key, proptest::collection::vec(number(), 0..7), "[ \t]?\\\\?(\n|\r\n|\r)")
-        .prop_map(|(key, numbers, end)| format!("{key} {}{end}", numbers.join(" ")))
-}
-
-fn material() -> impl Strategy<Value = String> {
-    let key = prop::sample::select(vec![
-        "newmtl m", "newmtl", "Kd", "Ks", "Ke", "Ka", "Td", "Tf", "Tr", "d", "Ns",
-        "Ni", "illum", "map_Kd", "map_Ke", "map_Ka", "bump", "",
-    ]);
-    (key, proptest::collection::vec(number(), 0..4))
-        .prop_map(|(key, numbers)| format!("{key} {}\n", numbers.join(" ")))
 }

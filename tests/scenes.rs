@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use radiosity::scene::{FaceId, Scene, built_in, builtins};
+use serde_json::Value;
 use std::collections::HashMap;
 
 fn scene(name: &str) -> Scene {
@@ -22,37 +23,94 @@ fn every_scene_has_its_name_a_light_and_sound_ids() {
     }
 }
 
-/// The measured box, in mm², as `Σ` over the pieces of a face.
-#[test]
-fn the_measured_cornell_box_has_the_measured_areas() {
-    let areas = scene("cornell").face_areas();
-    let expected = [
-        (0, 308_231.04),          // floor
-        (1, 310_915.2 - 13_650.), // ceiling less lamp
-        (2, 303_376.64),          // back
-        (5, 13_650.0),            // lamp
-        (6, 27_633.0),            // short block's top
-        (12, 54_905.098_123_9),   // a side of the tall block
-    ];
-    for (face, mm2) in expected {
-        assert!((areas[face] * 1e6 - mm2).abs() < 1e-6, "{face}: {}", areas[face]);
+/// What Cornell published, and the reference scene (`tests/data/cornell.json`).
+fn published() -> Value {
+    serde_json::from_str(include_str!("data/cornell.json")).unwrap()
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
+}
+
+fn close(a: DVec3, b: &[f64], tolerance: f64) -> bool {
+    a.distance(DVec3::from_slice(b)) <= tolerance
+}
+
+/// `faces` corner by corner, in the order of the table; `scale` table units make one.
+fn check_faces(scene: &Scene, faces: &Value, scale: f64) {
+    let faces = faces.as_object().unwrap();
+    assert_eq!(scene.faces.len(), faces.len());
+    for (face, (name, corners)) in scene.faces.iter().zip(faces) {
+        let corners = corners.as_array().unwrap();
+        assert_eq!(face.outline.len(), corners.len(), "{name}");
+        for (&got, corner) in face.outline.iter().zip(corners) {
+            assert!(
+                close(scale * got, &numbers(corner), 1e-12 * scale),
+                "{name}: {got}"
+            );
+        }
+        let material = scene.materials[face.material.0 as usize].name();
+        let expected = match name.as_str() {
+            "green" | "red" => name.as_str(),
+            "light" => "lamp",
+            _ => "white",
+        };
+        assert_eq!(material, expected, "{name}");
     }
-    // Folded along its shorter diagonal, not flattened: a little more than flat.
-    assert!((areas[4] * 1e6 - 306_901.954).abs() < 5.0, "{}", areas[4]);
 }
 
 #[test]
-fn the_regular_cornell_box_has_16_faces_and_a_cut_ceiling() {
-    let scene = scene("cornell-regular");
-    assert_eq!(scene.faces.len(), 16);
-    let areas = scene.face_areas();
-    assert!((areas[4] - (5.5 * 5.6 - 1.3 * 1.05)).abs() < 1e-12, "{}", areas[4]);
-    assert!((areas[5] - 1.3 * 1.05).abs() < 1e-12);
+fn the_measured_cornell_box_is_the_published_one() {
+    let (scene, data) = (scene("cornell"), published());
+    check_faces(&scene, &data["measured_mm"], 1000.0);
+    for material in &scene.materials[..3] {
+        let expected = numbers(&data["reflectance"][material.name()]);
+        assert!(close(material.diffuse(), &expected, 1e-9), "{}", material.name());
+    }
+    let lamp = &scene.materials[3];
+    assert!(close(lamp.emission() / 100.0, &numbers(&data["lamp"]), 1e-9));
+    assert!(close(
+        1000.0 * scene.camera.eye,
+        &numbers(&data["camera"]["position"]),
+        1e-9
+    ));
+    let focal_length = data["camera"]["focal_length"].as_f64().unwrap();
+    let film = numbers(&data["camera"]["width_height"])[1];
+    let fov = 2.0 * (0.5 * film / focal_length).atan().to_degrees();
+    assert!((scene.camera.fov - fov).abs() < 1e-9);
+}
+
+#[test]
+fn the_measured_cornell_box_has_the_published_areas() {
+    let areas = scene("cornell").face_areas();
+    for ((name, mm2), got) in
+        published()["areas_mm2"].as_object().unwrap().iter().zip(areas)
+    {
+        let hidden = if name == "ceiling" { 13_650.0 } else { 0.0 }; // by the lamp
+        // The red wall folds along its shorter diagonal: a little more than flat.
+        let tolerance = if name == "red" { 5.0 } else { 1e-6 };
+        let off = got * 1e6 - (mm2.as_f64().unwrap() - hidden);
+        assert!(off.abs() < tolerance, "{name}: {off} mm²");
+    }
+}
+
+#[test]
+fn the_regular_cornell_box_is_that_of_the_reference() {
+    let (scene, data) = (scene("cornell-regular"), published());
+    check_faces(&scene, &data["regular"], 1.0);
+    for material in &scene.materials[..3] {
+        let rho = material.diffuse();
+        for (channel, got) in [("R", rho.x), ("G", rho.y)] {
+            assert_eq!(data["regular_rho"][channel][material.name()], got);
+        }
+        let blue = numbers(&data["reflectance"][material.name()])[2];
+        assert!((rho.z - blue).abs() <= 0.5e-5);
+    }
+    let lamp = &scene.materials[3];
+    assert_eq!((lamp.emission(), lamp.diffuse()), (DVec3::ONE, DVec3::ZERO));
+    // The ceiling is cut around the lamp.
+    assert!((scene.face_areas()[4] - (5.5 * 5.6 - 1.3 * 1.05)).abs() < 1e-12);
     assert_eq!(scene.surfaces.iter().filter(|s| s.face == FaceId(4)).count(), 4);
-    assert_eq!(
-        scene.material(&scene.surfaces[0]).diffuse().to_array(),
-        [0.73626, 0.73667, 0.73782]
-    );
 }
 
 /// Every edge of a closed room is walked once each way; blocks stand open on the floor.

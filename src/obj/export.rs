@@ -15,10 +15,10 @@ use std::{fs, io};
 /// temporary name and renamed. Returns the two paths.
 ///
 /// # Errors
-/// When the folder cannot be made or written to.
+/// When the folder cannot be made or written to; the error names the path.
 pub fn export(scene: &Scene, folder: impl AsRef<Path>) -> io::Result<Vec<PathBuf>> {
     let folder = folder.as_ref();
-    fs::create_dir_all(folder)?;
+    fs::create_dir_all(folder).map_err(|error| naming(folder, error))?;
     let stem = file_name(&scene.name);
     let names = material_names(scene);
     let obj = folder.join(format!("{stem}.obj"));
@@ -108,8 +108,16 @@ fn write(path: &Path, text: &str) -> io::Result<()> {
     let temporary = PathBuf::from(temporary);
     let written =
         fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
-    if written.is_err() {
+    written.map_err(|error| {
         let _ = fs::remove_file(&temporary); // the first error is the one to tell
-    }
-    written
+        naming(path, error)
+    })
+}
+
+/// The error with the path that it is about.
+fn naming(path: &Path, error: io::Error) -> io::Error {
+    io::Error::new(
+        error.kind(),
+        format!("{} cannot be written: {error}", path.display()),
+    )
 }

@@ -9,23 +9,22 @@
 //! input makes it panic. The scan before it checks every statement, knows its line, and
 //! hands on a plain copy.
 //!
-//! | in the OBJ          | meaning                                                      |
-//! |---------------------|--------------------------------------------------------------|
-//! | `v x y z`           | a corner, in scene units; what follows `z` is ignored        |
-//! | `f a b c …`         | a face, at least 3 corners; `a/t/n` forms and negative       |
-//! |                     | (relative) numbers too; corners stand above their faces      |
-//! | `usemtl NAME`       | material of the faces below; `NAME` must be defined          |
-//! | `mtllib FILE`       | where materials are defined, relative to the OBJ             |
-//! | `# camera eye x y z target x y z up x y z fov d` | our extension: a view           |
+//! | in the OBJ     | meaning                                                          |
+//! |----------------|------------------------------------------------------------------|
+//! | `v x y z`      | a corner, in scene units; what follows `z` is ignored            |
+//! | `f a b c …`    | a face of 3 corners or more, all above it; `a/t/n`, `-1` allowed |
+//! | `usemtl NAME`  | material of the faces below; `NAME` must be defined              |
+//! | `mtllib FILE`  | where materials are defined, relative to the OBJ                 |
+//! | `# camera …`   | a view (ours): `eye x y z target x y z up x y z fov degrees`     |
 //!
-//! | in the MTL          | meaning                                                      |
-//! |---------------------|--------------------------------------------------------------|
-//! | `Ke r g b`          | emitted radiosity of the front, W/m² (radiance is `Ke/π`)    |
-//! | `Kd r g b`          | diffuse reflectance, `< 1`; 0 when absent                    |
-//! | `Ks r g b`          | specular reflectance; counts as absorbed, with a warning     |
-//! | `Td r g b`          | diffuse transmittance (our extension); absorbed, as `Ks`     |
-//! | `illum` 4, 6, 7, 9  | glass; what it would pass or mirror counts as absorbed       |
-//! | `map_Kd`, `map_Ke`  | textures; the constants stand for them, with a warning       |
+//! | in the MTL         | meaning                                                      |
+//! |--------------------|--------------------------------------------------------------|
+//! | `Ke r g b`         | emitted radiosity of the front, W/m² (radiance is `Ke/π`)    |
+//! | `Kd r g b`         | diffuse reflectance, `< 1`; 0 when absent                    |
+//! | `Ks r g b`         | specular reflectance; counts as absorbed, with a warning     |
+//! | `Td r g b`         | diffuse transmittance (ours); absorbed, with a warning       |
+//! | `illum` 4, 6, 7, 9 | glass; what it would pass or mirror counts as absorbed       |
+//! | `map_Kd`, `map_Ke` | textures; the constants stand for them, with a warning       |
 //!
 //! One number stands for three equal ones. A face without `usemtl` reflects 0.5.
 //! Everything that is ignored although it changes the light is warned of.

@@ -76,7 +76,8 @@ pub(super) fn scan(file: &Path, bytes: &[u8]) -> Result<Scan, ObjError> {
             }
             "mtllib" => scan.libraries.push((rest.into(), statement.line)),
             _ if statement.is_comment() => {
-                if let Some(camera) = statement.text.strip_prefix("# camera ") {
+                let camera = statement.text.strip_prefix("# camera ");
+                if let Some(camera) = camera.filter(|text| text.starts_with("eye ")) {
                     scan.camera = parse_camera(camera);
                     if scan.camera.is_none() {
                         scan.warnings.push(format!(

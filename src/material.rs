@@ -74,13 +74,13 @@ impl fmt::Display for MaterialError {
             MaterialError::Diffuse { material, value } => write!(
                 f,
                 "material `{material}` reflects {} of the light it gets; every channel of Kd \
-                 must be < 1. Lower Kd",
+                 must be < 1; lower Kd",
                 rgb(value)
             ),
             MaterialError::NotPassive { material, sum } => write!(
                 f,
                 "material `{material}` reflects {} of the light it gets; every channel of \
-                 Kd + Ks must be ≤ 1. Lower Kd or Ks",
+                 Kd + Ks must be ≤ 1; lower Kd or Ks",
                 rgb(sum)
             ),
         }

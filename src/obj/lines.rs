@@ -60,7 +60,8 @@ pub(super) fn statements(
     let strange = |c: char| (c.is_control() && c != '\t') || c == '\u{fffd}';
     match statements.iter().find(|s| !s.is_comment() && s.text.contains(strange)) {
         Some(Statement { line, .. }) => {
-            let message = "is no text (UTF-8); check that it is the right kind of file";
+            let message =
+                "this is not text (UTF-8); check that it is an OBJ or MTL file";
             Err(ObjError::new(file, *line, message))
         }
         None => Ok(statements),
@@ -75,10 +76,10 @@ pub(super) fn numbers(words: &str) -> Result<Vec<f64>, String> {
     let number = |word: &str| match word.parse::<f64>() {
         Ok(x) if x.is_finite() && x.abs() <= LARGEST => Ok(x),
         Ok(_) => Err(format!(
-            "`{}` is no finite number up to {LARGEST:e}; correct it",
+            "`{}` is not a finite number (of size {LARGEST:e} at most); correct it",
             shown(word)
         )),
-        Err(_) => Err(format!("`{}` is no number; correct it", shown(word))),
+        Err(_) => Err(format!("`{}` is not a number; correct it", shown(word))),
     };
     words.split_whitespace().map(number).collect()
 }

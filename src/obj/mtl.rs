@@ -110,7 +110,7 @@ impl Scan {
                     _ => {
                         let given = shown(rest);
                         return Err(failed(format!(
-                            "`illum {given}` is no illumination model; write 0 to 10"
+                            "`illum {given}` is not an illumination model; write 0 to 10"
                         )));
                     }
                 },
@@ -245,7 +245,7 @@ fn passive(raw: &tobj::Material) -> Result<Material, Note> {
     {
         let message = format!(
             "material `{}` reflects and transmits {} of the light it gets; every channel \
-             of Kd + Td must be < 1, and with Ks ≤ 1. Lower Td, Kd or Ks",
+             of Kd + Td must be < 1, and with Ks ≤ 1; lower Td, Kd or Ks",
             raw.name,
             tuple(all)
         );

@@ -139,7 +139,7 @@ fn indices(rest: &str, corners: i64) -> Result<String, String> {
         let digits = index.trim_start_matches(['-', '+']);
         if !others || digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
             let word = shown(word);
-            return Err(format!("`{word}` is no corner of a face; write `f 1 2 3`"));
+            return Err(format!("`{word}` is not a corner of a face; write `f 1 2 3`"));
         }
         let known = match index.parse::<i64>() {
             Ok(k) => (1..=corners).contains(&k) || (-corners..0).contains(&k),

@@ -19,15 +19,18 @@
 
 use super::contour::exchange_by_contour;
 use super::quadrature::{over, points_for};
-use super::shaft::Shafts;
-use super::visible::{hides_all, lambert_visible};
-use super::{FormFactors, Lost, lost_by_rays};
+use super::visible::lambert_visible;
+use super::{Blocker, Blockers, FormFactors, Lost, Matrix, Row, lost_by_rays};
 use crate::geometry::{Plane, Polygon};
 use crate::mesh::{ElementId, Mesh};
 use crate::radiometry::projected_solid_angle;
 use crate::scene::Scene;
+use crate::visibility::Visibility;
 use glam::DVec3;
+use rayon::prelude::*;
+use std::borrow::Cow;
 use std::f64::consts::PI;
+use std::ops::Range;
 
 /// Form factor from a differential area at `p` to an unoccluded polygon.
 ///
@@ -63,17 +66,35 @@ pub fn exchange(i: &Polygon, j: &Polygon, tolerance: f64) -> f64 {
 }
 
 /// The parts of two polygons that lie in front of each other.
-fn facing(i: &Polygon, j: &Polygon) -> Option<(Polygon, Polygon)> {
-    Some((i.clipped(j.plane())?, j.clipped(i.plane())?))
+fn facing<'a>(
+    i: &'a Polygon,
+    j: &'a Polygon,
+) -> Option<(Cow<'a, Polygon>, Cow<'a, Polygon>)> {
+    fn in_front<'a>(of: &Polygon, p: &'a Polygon) -> Option<Cow<'a, Polygon>> {
+        let plane = of.plane();
+        let (mut all, mut any) = (true, false);
+        for &v in p.vertices() {
+            let height = plane.height(v);
+            all &= height >= 0.0;
+            any |= height > 0.0;
+        }
+        match (any, all) {
+            (false, _) => None,
+            (true, true) => Some(Cow::Borrowed(p)),
+            (true, false) => p.clipped(plane).map(Cow::Owned),
+        }
+    }
+    Some((in_front(j, i)?, in_front(i, j)?))
 }
 
 // ANCHOR: exchange
 fn exchange_of_facing(i: &Polygon, j: &Polygon, tolerance: f64) -> f64 {
     let (small, large) = by_size(i, j);
-    let gap = distance_at_least(small, large);
-    let factor = lambert_polygon(small.centroid(), small.normal(), large);
+    let middle = small.centroid();
+    let factor = lambert_polygon(middle, small.normal(), large);
     let relative = (tolerance / factor.max(tolerance)).max(1e-14);
-    match points_for(relative, small.diameter(), gap) {
+    let (size, gap) = (small.diameter(), distance_at_least(small, middle, large));
+    match points_for(relative, size, gap) {
         Some(1) => small.area() * factor,
         Some(n) => over(small, n, |x| lambert_polygon(x, small.normal(), large)),
         None => exchange_by_contour(i.vertices(), j.vertices()),
@@ -83,30 +104,31 @@ fn exchange_of_facing(i: &Polygon, j: &Polygon, tolerance: f64) -> f64 {
 
 /// The smaller one first; the same order whichever way the pair is named.
 fn by_size<'a>(i: &'a Polygon, j: &'a Polygon) -> (&'a Polygon, &'a Polygon) {
-    let place = |p: &Polygon| p.centroid().to_array();
     let (a, b) = (i.diameter(), j.diameter());
+    let place = |p: &Polygon| p.vertices()[0].to_array();
     if a < b || (a == b && place(i) < place(j)) { (i, j) } else { (j, i) }
 }
 
-/// A lower bound of the distance between two polygons: their bounding spheres', or how
-/// far one keeps off the other's plane.
-fn distance_at_least(i: &Polygon, j: &Polygon) -> f64 {
+/// A lower bound of the distance between two polygons: how far the sphere around one, with
+/// this `middle`, keeps off the sphere around the other, or off its plane.
+fn distance_at_least(small: &Polygon, middle: DVec3, large: &Polygon) -> f64 {
     let radius = |p: &Polygon, c: DVec3| {
-        p.vertices().iter().map(|v| v.distance(c)).fold(0.0, f64::max)
+        p.vertices().iter().map(|v| v.distance_squared(c)).fold(0.0, f64::max).sqrt()
     };
-    let (ci, cj) = (i.centroid(), j.centroid());
-    let spheres = ci.distance(cj) - radius(i, ci) - radius(j, cj);
+    let other = large.centroid();
+    let spheres = middle.distance(other) - radius(small, middle) - radius(large, other);
     let off = |p: &Polygon, q: &Polygon| {
         p.vertices().iter().map(|&v| q.plane().height(v)).fold(f64::INFINITY, f64::min)
     };
-    spheres.max(off(i, j)).max(off(j, i))
+    spheres.max(off(small, large)).max(off(large, small))
 }
 
 /// The method, ready for a scene.
 pub struct Analytic {
     elements: Vec<Polygon>,
     patch_of: Vec<u32>,
-    shafts: Shafts,
+    blockers: Blockers,
+    surfaces: Visibility,
     tolerance: f64,
     seed: u64,
 }
@@ -121,7 +143,8 @@ impl Analytic {
         Analytic {
             elements: mesh.polygons().cloned().collect(),
             patch_of: mesh.elements.iter().map(|e| e.patch.0).collect(),
-            shafts: Shafts::of(scene),
+            blockers: Blockers::of(scene),
+            surfaces: Visibility::new(scene.surfaces.iter().map(|s| &s.polygon)),
             tolerance,
             seed,
         }
@@ -131,15 +154,39 @@ impl Analytic {
     pub fn exchange(&self, i: ElementId, j: ElementId) -> f64 {
         let (a, b) = (&self.elements[i.0 as usize], &self.elements[j.0 as usize]);
         let Some((a, b)) = facing(a, b) else { return 0.0 };
-        self.exchange_past(&a, &b, &self.shafts.between(&a, &b))
+        self.exchange_past(&a, &b, &self.blockers.between(&a, &b))
     }
 
-    fn exchange_past(&self, a: &Polygon, b: &Polygon, between: &[u32]) -> f64 {
-        let blockers: Vec<&Polygon> =
-            between.iter().map(|&k| &self.shafts.surfaces()[k as usize]).collect();
+    /// Calls `found(j, A_i F_ij)` for the elements `j` of `range` that face element `i`.
+    fn exchanges(
+        &self,
+        i: usize,
+        range: Range<usize>,
+        mut found: impl FnMut(usize, f64),
+    ) {
+        let element = &self.elements[i];
+        // What may stand between the element and a whole wall is found once.
+        let mut known: Option<(u32, Vec<&Blocker>)> = None;
+        for j in range {
+            let patch = self.patch_of[j];
+            if patch == self.patch_of[i] {
+                continue; // a flat patch does not see itself
+            }
+            let Some((a, b)) = facing(element, &self.elements[j]) else { continue };
+            let wall = self.blockers.wall_of(patch as usize);
+            if known.as_ref().is_none_or(|(of, _)| *of != wall) {
+                let whole = &self.blockers.walls()[wall as usize];
+                known = Some((wall, self.blockers.between(element, whole)));
+            }
+            let between = &known.as_ref().expect("just found").1;
+            found(j, self.exchange_past(&a, &b, between));
+        }
+    }
+
+    fn exchange_past(&self, a: &Polygon, b: &Polygon, between: &[&Blocker]) -> f64 {
         let (small, large) = by_size(a, b);
         let allowed = self.tolerance * small.area().min(large.area());
-        self.past_blockers(small, large, &blockers, None, allowed, DEEPEST)
+        self.past_blockers(small, large, between, None, allowed, DEEPEST)
     }
 
     /// `∫ F(x → to) dA` over `from`, to an absolute error near `allowed`; `estimate` is
@@ -148,26 +195,31 @@ impl Analytic {
         &self,
         from: &Polygon,
         to: &Polygon,
-        blockers: &[&Polygon],
+        blockers: &[&Blocker],
         estimate: Option<f64>,
         allowed: f64,
         depth: u32,
     ) -> f64 {
-        let blockers = self.shafts.narrowed(blockers, from, to);
+        let blockers = self.blockers.narrowed(blockers, from, to);
         if blockers.is_empty() {
             return exchange_of_facing(from, to, self.tolerance);
         }
-        if blockers.iter().any(|blocker| hides_all(blocker, from, to)) {
+        if blockers.iter().any(|blocker| blocker.hides_all(from, to)) {
             return 0.0;
         }
         let by_points = |part: &Polygon| {
-            over(part, 2, |x| lambert_visible(x, part.normal(), to, &blockers))
+            let middle = part.centroid();
+            part.area() * lambert_visible(middle, part.normal(), to, &blockers)
         };
         let coarse = estimate.unwrap_or_else(|| by_points(from));
         let parts = quarters(from);
         let fine: Vec<f64> = parts.iter().map(by_points).collect();
         let sum = fine.iter().sum::<f64>();
-        if depth == 0 || (coarse - sum).abs() <= allowed {
+        // Four points err by about a quarter of what one does. But points may all miss the
+        // edge of a shadow: ask the corners, which see what points inside may not.
+        let settled = (coarse - sum).abs() <= 4.0 * allowed;
+        if depth == 0 || (settled && (sum != 0.0 || sees_nothing(from, to, &blockers)))
+        {
             return sum;
         }
         let halves = parts.iter().zip(&fine).map(|(part, &found)| {
@@ -176,6 +228,15 @@ impl Analytic {
         });
         halves.sum()
     }
+}
+
+/// Do all corners of one polygon, moved in a hair, see nothing of the other?
+fn sees_nothing(from: &Polygon, to: &Polygon, blockers: &[&Blocker]) -> bool {
+    let middle = from.centroid();
+    from.vertices().iter().all(|v| {
+        let corner = v.lerp(middle, 1e-3);
+        lambert_visible(corner, from.normal(), to, blockers) == 0.0
+    })
 }
 
 /// Cuts a polygon across its middle, twice.
@@ -198,30 +259,40 @@ impl FormFactors for Analytic {
     }
 
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
-        let element = &self.elements[from.0 as usize];
-        let mut known: Option<(u32, Vec<u32>)> = None;
-        for (j, factor) in row.iter_mut().enumerate() {
-            *factor = 0.0;
-            let other = &self.elements[j];
-            let patch = self.patch_of[j];
-            if patch == self.patch_of[from.0 as usize] {
-                continue; // a flat patch does not see itself
+        let i = from.0 as usize;
+        let element = &self.elements[i];
+        row.fill(0.0);
+        self.exchanges(i, 0..row.len(), |j, found| row[j] = found / element.area());
+        lost_by_rays(&self.surfaces, element, self.patch_of[i], self.seed, from)
+    }
+
+    /// Each pair once, for both directions.
+    fn matrix(&self, done: &(dyn Fn() + Sync)) -> Matrix {
+        let n = self.elements.len();
+        let upper = |i: usize| {
+            let mut row = Vec::new();
+            self.exchanges(i, i + 1..n, |j, found| {
+                if found != 0.0 {
+                    row.push((j as u32, found));
+                }
+            });
+            done();
+            row
+        };
+        let upper: Vec<Vec<(u32, f64)>> = (0..n).into_par_iter().map(upper).collect();
+        let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); n];
+        for (i, pairs) in upper.iter().enumerate() {
+            for &(j, found) in pairs {
+                rows[j as usize]
+                    .push((i as u32, found / self.elements[j as usize].area()));
             }
-            let Some((a, b)) = facing(element, other) else { continue };
-            // What may stand between the element and the whole other patch is found once.
-            if known.as_ref().is_none_or(|(of, _)| *of != patch) {
-                let target = &self.shafts.surfaces()[patch as usize];
-                known = Some((patch, self.shafts.between(element, target)));
-            }
-            let between = &known.as_ref().expect("just found").1;
-            *factor = self.exchange_past(&a, &b, between) / element.area();
         }
-        lost_by_rays(
-            self.shafts.visibility(),
-            element,
-            self.patch_of[from.0 as usize],
-            self.seed,
-            from,
-        )
+        let finish = |(i, mut row): (usize, Vec<(u32, f64)>)| {
+            let (element, from) = (&self.elements[i], ElementId(i as u32));
+            row.extend(upper[i].iter().map(|&(j, found)| (j, found / element.area())));
+            let patch = self.patch_of[i];
+            Row::new(row, lost_by_rays(&self.surfaces, element, patch, self.seed, from))
+        };
+        Matrix::from_rows(rows.into_par_iter().enumerate().map(finish).collect())
     }
 }

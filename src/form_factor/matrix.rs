@@ -5,64 +5,90 @@ use crate::mesh::ElementId;
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
-/// The matrix of form factors, row `i` from element `i`.
-#[derive(Clone, Debug, PartialEq)]
+/// The non-zeros of one row, in order of columns, and what the row loses.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Row {
+    factors: Box<[(u32, f64)]>,
+    lost: Lost,
+}
+
+impl Row {
+    /// From columns, in order, and factors.
+    pub fn new(factors: Vec<(u32, f64)>, lost: Lost) -> Row {
+        debug_assert!(factors.is_sorted_by_key(|f| f.0), "columns must be in order");
+        Row { factors: factors.into(), lost }
+    }
+
+    /// From all factors of a row.
+    pub fn of(factors: &[f64], lost: Lost) -> Row {
+        let all = (0u32..).zip(factors.iter().copied());
+        Row { factors: all.filter(|(_, f)| *f != 0.0).collect(), lost }
+    }
+
+    /// Columns and factors that are not zero.
+    pub fn factors(&self) -> &[(u32, f64)] {
+        &self.factors
+    }
+
+    /// What reaches no front.
+    pub fn lost(&self) -> Lost {
+        self.lost
+    }
+
+    fn write(&self, row: &mut [f64]) -> Lost {
+        row.fill(0.0);
+        self.factors.iter().for_each(|&(j, f)| row[j as usize] = f);
+        self.lost
+    }
+}
+
+/// The matrix of form factors, row `i` from element `i`; zeros are not stored.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Matrix {
-    factors: Vec<f64>,
-    lost: Vec<Lost>,
+    rows: Vec<Row>,
 }
 
 impl Matrix {
-    /// Computes all rows, in parallel; calls `done` after each.
-    pub fn of(method: &dyn FormFactors, done: impl Fn() + Sync) -> Matrix {
+    /// Rows that come from elsewhere.
+    pub fn from_rows(rows: Vec<Row>) -> Matrix {
+        Matrix { rows }
+    }
+
+    /// Computes all rows of a method, in parallel; calls `done` after each.
+    pub fn row_by_row(
+        method: &(impl FormFactors + ?Sized),
+        done: &(dyn Fn() + Sync),
+    ) -> Matrix {
         let n = method.len();
-        let mut factors = vec![0.0; n * n];
-        let rows = factors.par_chunks_mut(n.max(1)).enumerate().map(|(i, row)| {
-            let lost = method.row(ElementId(i as u32), row);
+        let row = |buffer: &mut Vec<f64>, i: usize| {
+            let lost = method.row(ElementId(i as u32), buffer);
             done();
-            lost
-        });
-        let lost = rows.collect();
-        Matrix { factors, lost }
+            Row::of(buffer, lost)
+        };
+        let rows = (0..n).into_par_iter().map_init(|| vec![0.0; n], row);
+        Matrix { rows: rows.collect() }
     }
 
-    /// A matrix whose numbers come from elsewhere: `rows[i][j] = F_ij`.
-    pub fn from_rows(rows: &[Vec<f64>], lost: Vec<Lost>) -> Matrix {
-        assert!(
-            rows.iter().all(|r| r.len() == rows.len()),
-            "the matrix must be square"
-        );
-        assert_eq!(lost.len(), rows.len(), "one Lost for each row");
-        Matrix { factors: rows.concat(), lost }
-    }
-
-    /// Row `i`: the factors from element `i`.
-    pub fn factors(&self, i: usize) -> &[f64] {
-        let n = self.lost.len();
-        &self.factors[i * n..(i + 1) * n]
-    }
-
-    /// What of the power of element `i` reaches no front.
-    pub fn lost(&self, i: usize) -> Lost {
-        self.lost[i]
+    /// The rows.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
     }
 }
 
 impl FormFactors for Matrix {
     fn len(&self) -> usize {
-        self.lost.len()
+        self.rows.len()
     }
 
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
-        row.copy_from_slice(self.factors(from.0 as usize));
-        self.lost[from.0 as usize]
+        self.rows[from.0 as usize].write(row)
     }
 }
 
 /// Keeps each row of a method after its first use.
 pub struct Cached<'a> {
     method: &'a dyn FormFactors,
-    rows: Vec<OnceLock<(Vec<f64>, Lost)>>,
+    rows: Vec<OnceLock<Row>>,
 }
 
 impl<'a> Cached<'a> {
@@ -83,11 +109,11 @@ impl<'a> Cached<'a> {
         self.rows.iter().filter(|row| row.get().is_some()).count()
     }
 
-    fn kept(&self, from: ElementId) -> &(Vec<f64>, Lost) {
+    fn kept(&self, from: ElementId) -> &Row {
         self.rows[from.0 as usize].get_or_init(|| {
             let mut row = vec![0.0; self.method.len()];
             let lost = self.method.row(from, &mut row);
-            (row, lost)
+            Row::of(&row, lost)
         })
     }
 }
@@ -98,8 +124,6 @@ impl FormFactors for Cached<'_> {
     }
 
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
-        let (factors, lost) = self.kept(from);
-        row.copy_from_slice(factors);
-        *lost
+        self.kept(from).write(row)
     }
 }

@@ -16,17 +16,19 @@
 //! Goral et al. 1984; Cohen & Greenberg 1985; Nishita & Nakamae 1985.
 
 pub mod analytic;
+mod blocker;
+mod blockers;
 pub mod cast;
 mod contour;
 pub mod hemicube;
 mod matrix;
 mod quadrature;
-mod shaft;
 mod visible;
 
+pub use blocker::Blocker;
+pub use blockers::Blockers;
 pub use contour::exchange_by_contour;
-pub use matrix::{Cached, Matrix};
-pub use shaft::Shafts;
+pub use matrix::{Cached, Matrix, Row};
 pub use visible::lambert_visible;
 
 use crate::geometry::{Frame, Polygon, Ray};
@@ -44,6 +46,11 @@ pub trait FormFactors: Sync {
     /// Writes to `row[j]` the factor from element `from` to the front of element `j`, and
     /// returns what reaches no front. `row` has [`FormFactors::len`] entries.
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost;
+
+    /// All rows, computed in parallel; `done` is called after each.
+    fn matrix(&self, done: &(dyn Fn() + Sync)) -> Matrix {
+        Matrix::row_by_row(self, done)
+    }
 
     /// Is there no element?
     fn is_empty(&self) -> bool {

@@ -18,7 +18,7 @@
 mod polygon;
 mod split;
 
-pub use polygon::{Polygon, PolygonError, clip};
+pub use polygon::{Outline, Polygon, PolygonError, clip, clip_into};
 pub use split::{MAX_CORNERS, split};
 
 use glam::DVec3;

@@ -2,6 +2,7 @@
 
 use super::Plane;
 use glam::DVec3;
+use smallvec::SmallVec;
 use std::fmt;
 
 /// How far a vertex may lie off the plane, relative to the polygon's diameter.
@@ -20,6 +21,8 @@ const AREAS: std::ops::Range<f64> = 1e-150..1e150;
 pub struct Polygon {
     vertices: Vec<DVec3>,
     normal: DVec3,
+    /// Of its plane, in scene units.
+    offset: f64,
     area: f64,
 }
 
@@ -101,7 +104,7 @@ impl Polygon {
         if off > FLAT * size {
             return Err(PolygonError::NotPlanar(off));
         }
-        let polygon = Polygon { vertices, normal, area };
+        let polygon = Polygon { vertices, normal, offset: plane.offset, area };
         if polygon.is_convex() { Ok(polygon) } else { Err(PolygonError::NotConvex) }
     }
 
@@ -115,7 +118,13 @@ impl Polygon {
         }
         let area = newell(&vertices).dot(normal);
         let size = diameter(&vertices);
-        (area > 1e-14 * size * size).then_some(Polygon { vertices, normal, area })
+        let offset = normal.dot(mean(&vertices));
+        (area > 1e-14 * size * size).then_some(Polygon {
+            vertices,
+            normal,
+            offset,
+            area,
+        })
     }
 
     /// The corners, counter-clockwise seen from the front, in scene units.
@@ -141,7 +150,7 @@ impl Polygon {
 
     /// The plane it lies in, front as the polygon's.
     pub fn plane(&self) -> Plane {
-        Plane::through(mean(&self.vertices), self.normal)
+        Plane { normal: self.normal, offset: self.offset }
     }
 
     /// Centre of mass.
@@ -167,12 +176,17 @@ impl Polygon {
     pub fn flipped(&self) -> Polygon {
         let mut vertices = self.vertices.clone();
         vertices.reverse();
-        Polygon { vertices, normal: -self.normal, area: self.area }
+        Polygon {
+            vertices,
+            normal: -self.normal,
+            offset: -self.offset,
+            area: self.area,
+        }
     }
 
     /// What of the polygon lies in front of `plane`; `None` when nothing does.
     pub fn clipped(&self, plane: Plane) -> Option<Polygon> {
-        Polygon::piece(clip(&self.vertices, plane), self.normal)
+        Polygon::piece(clip(&self.vertices, plane).to_vec(), self.normal)
     }
 
     /// The polygon less what `hole` (in the same plane) covers, as convex pieces.
@@ -232,18 +246,25 @@ impl Polygon {
     }
 }
 
+/// The corners of a convex planar outline that need not be checked: what clipping leaves.
+pub type Outline = SmallVec<[DVec3; 8]>;
+
 /// Cuts `vertices` by `plane` and keeps the front (Sutherland & Hodgman 1974).
 ///
 /// A vertex on the plane is kept. Returns an empty list when all lies behind.
-pub fn clip(vertices: &[DVec3], plane: Plane) -> Vec<DVec3> {
-    let n = vertices.len();
-    let mut kept = Vec::with_capacity(n + 1);
-    for k in 0..n {
-        let (a, b) = (vertices[k], vertices[(k + 1) % n]);
-        let (ha, hb) = (plane.height(a), plane.height(b));
-        if ha >= 0.0 {
-            kept.push(a);
-        }
+pub fn clip(vertices: &[DVec3], plane: Plane) -> Outline {
+    let mut kept = Outline::new();
+    clip_into(vertices, plane, &mut kept);
+    kept
+}
+
+/// [`clip`] into an outline that is there already; what it held is dropped.
+pub fn clip_into(vertices: &[DVec3], plane: Plane, kept: &mut Outline) {
+    kept.clear();
+    let Some(&last) = vertices.last() else { return };
+    let (mut a, mut ha) = (last, plane.height(last));
+    for &b in vertices {
+        let hb = plane.height(b);
         if (ha > 0.0 && hb < 0.0) || (ha < 0.0 && hb > 0.0) {
             // From the lower end up, so that both neighbours of a shared edge
             // compute the very same point.
@@ -251,8 +272,11 @@ pub fn clip(vertices: &[DVec3], plane: Plane) -> Vec<DVec3> {
                 if ha < hb { (a, b, ha, hb) } else { (b, a, hb, ha) };
             kept.push(low + (high - low) * (hl / (hl - hh)));
         }
+        if hb >= 0.0 {
+            kept.push(b);
+        }
+        (a, ha) = (b, hb);
     }
-    kept
 }
 
 /// Area times normal of an outline, `½ Σ vₖ × vₖ₊₁`, taken about the first vertex.

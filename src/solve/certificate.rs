@@ -16,7 +16,7 @@
 //! `‖B‖` the lamp, which is known, would hide everything.
 
 use super::Enclosure;
-use crate::form_factor::{Shafts, lambert_visible, ray_from};
+use crate::form_factor::{Blocker, Blockers, lambert_visible, ray_from};
 use crate::geometry::{Frame, Polygon, Rgb};
 use crate::mesh::{ElementId, Mesh};
 use crate::random::Stream;
@@ -131,8 +131,7 @@ struct Gathering<'a> {
     field: &'a (dyn Fn(ElementId, DVec3) -> Rgb + Sync),
     sampling: Sampling,
     elements: Visibility,
-    surfaces: Vec<&'a Polygon>,
-    shafts: Shafts,
+    blockers: Blockers,
     /// Surfaces whose emission is summed exactly.
     emitters: Vec<(&'a Polygon, Rgb)>,
     /// Per element: what of its emission rays must not count again.
@@ -159,8 +158,7 @@ impl<'a> Gathering<'a> {
             field,
             sampling,
             elements: Visibility::new(mesh.polygons()),
-            surfaces: scene.surfaces.iter().map(|s| &s.polygon).collect(),
-            shafts: Shafts::of(scene),
+            blockers: Blockers::of(scene),
             emitters,
             summed,
         }
@@ -171,13 +169,10 @@ impl<'a> Gathering<'a> {
         let id = ElementId(k as u32);
         let polygon = &self.mesh.elements[k].polygon;
         let (e, rho) = (enclosure.emission[k], enclosure.reflectance[k]);
-        let blockers: Vec<Vec<&Polygon>> = self
+        let blockers: Vec<Vec<&Blocker>> = self
             .emitters
             .iter()
-            .map(|(emitter, _)| {
-                let between = self.shafts.between(polygon, emitter);
-                between.iter().map(|&b| self.surfaces[b as usize]).collect()
-            })
+            .map(|(emitter, _)| self.blockers.between(polygon, emitter))
             .collect();
         let places = Stream::named(self.sampling.seed, &[k as u64]).points(count);
         let sample = |(point, place): (usize, [f64; 2])| {

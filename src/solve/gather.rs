@@ -39,8 +39,8 @@ impl<'a> Gather<'a> {
 
     // ANCHOR: gather
     fn gathered(&self, i: usize) -> Rgb {
-        let row = self.factors.factors(i).iter().zip(&self.radiosity);
-        row.filter(|(f, _)| **f != 0.0).map(|(&f, &b)| f * b).sum()
+        let row = self.factors.rows()[i].factors();
+        row.iter().map(|&(j, f)| f * self.radiosity[j as usize]).sum()
     }
 
     fn sweep(&mut self) {
@@ -67,7 +67,7 @@ impl Iterator for Gather<'_> {
             .collect();
         let mut lost = LostPower::default();
         for (i, &b) in self.radiosity.iter().enumerate() {
-            lost.add(area[i] * b, self.factors.lost(i));
+            lost.add(area[i] * b, self.factors.rows()[i].lost());
         }
         Some(Step {
             ledger: Ledger::draw_up(self.enclosure, &self.irradiance, &residual, lost),

@@ -7,7 +7,7 @@ use super::{
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::cast::Cast;
 use crate::form_factor::hemicube::Hemicube;
-use crate::form_factor::{Cached, FormFactors, Matrix};
+use crate::form_factor::{Cached, FormFactors};
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
@@ -185,7 +185,7 @@ fn gather(
 ) -> Light {
     let n = enclosure.len();
     let rows = AtomicUsize::new(0);
-    let matrix = Matrix::of(method, || {
+    let matrix = method.matrix(&|| {
         progress("form factors", rows.fetch_add(1, Ordering::Relaxed) + 1, n);
     });
     let mut solver = Gather::new(enclosure, &matrix);

@@ -107,6 +107,7 @@ pub fn svg(title: &str, points: &[Point], across: &str, upward: &str) -> String 
     let mut methods: Vec<&str> = points.iter().map(|p| p.method.as_str()).collect();
     methods.sort_unstable();
     methods.dedup();
+    let mut labels = String::new(); // last, so that no line runs over them
     for (method, colour) in methods.iter().zip(COLOURS.iter().cycle()) {
         let of_method = points.iter().filter(|p| p.method == *method);
         let at: Vec<(f64, f64, &str)> =
@@ -130,7 +131,7 @@ pub fn svg(title: &str, points: &[Point], across: &str, upward: &str) -> String 
             if k == 0 || last {
                 let (dx, anchor) = if last { (8.0, "start") } else { (-8.0, "end") };
                 let _ = writeln!(
-                    svg,
+                    labels,
                     "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" \
                      {HALO}>{label}</text>",
                     x + dx,
@@ -139,6 +140,7 @@ pub fn svg(title: &str, points: &[Point], across: &str, upward: &str) -> String 
             }
         }
     }
+    svg.push_str(&labels);
     svg.push_str("</svg>\n");
     svg
 }

@@ -12,6 +12,7 @@
 #![forbid(unsafe_code)]
 
 pub mod chart;
+pub mod cornell;
 pub mod generated;
 pub mod hemicube;
 pub mod html;

@@ -5,6 +5,7 @@
 #[path = "../../tests/common/picture.rs"]
 mod picture;
 
+use book::cornell;
 use book::hemicube::{sheet, table, view};
 use picture::assert_picture;
 
@@ -54,4 +55,9 @@ fn the_error_falls_as_one_over_the_cells_across() {
             "{resolution} {side}: {rms} {rule}"
         );
     }
+}
+
+#[test]
+fn the_cornell_box() {
+    assert_picture(PICTURES, "cornell", &cornell::picture(256));
 }

@@ -1,0 +1,18 @@
+//! The Cornell box, solved and seen: the picture on the first page.
+
+use radiosity::film::{RgbImage, Shot};
+use radiosity::mesh::Mesh;
+use radiosity::scene::built_in;
+use radiosity::solve::{Options, solve_on};
+
+/// Longest edge of an element, in metres.
+const MAX_EDGE: f64 = 0.05;
+
+/// The box as its camera sees it, `size` pixels square, at an exposure of 1.
+pub fn picture(size: u32) -> RgbImage {
+    let scene = built_in("cornell").expect("`cornell` is built in");
+    let mesh = Mesh::uniform(&scene, MAX_EDGE);
+    let solution = solve_on(&scene, mesh, &Options::default(), &|_, _, _| {});
+    let shot = Shot { camera: scene.camera, width: size, height: size, samples: 3 };
+    shot.smooth(&solution.mesh, &solution.vertex_radiosity).display(1.0)
+}

@@ -24,15 +24,23 @@ pub enum Method {
 }
 
 /// How form factors are computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+///
+/// By default hemicubes of 256: on a mesh that suits a picture their error is small beside
+/// the mesh's own, and a row takes a millisecond.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factors {
     /// Lambert's formula and cut blockers.
-    #[default]
     Analytic,
     /// Rays: so many from each element.
     Sampling(usize),
     /// Hemicubes of this resolution.
     Hemicube(u32),
+}
+
+impl Default for Factors {
+    fn default() -> Factors {
+        Factors::Hemicube(256)
+    }
 }
 
 /// What is asked of a solution.

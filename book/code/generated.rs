@@ -15,6 +15,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
         ("lecture-map.md".to_string(), lecture_map::page()),
         ("generated/hemicube-section.svg".into(), section::svg()),
         ("generated/hemicube-view.md".into(), view::caption(64)),
+        ("generated/hemicube-cost.md".into(), cost::text()),
         ("generated/hemicube-cost.svg".into(), cost::svg()),
         ("generated/hemicube-ledger.md".into(), ledger::markdown()),
         ("generated/hemicube-table.md".into(), table::markdown()),

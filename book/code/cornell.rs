@@ -3,7 +3,7 @@
 use radiosity::film::{RgbImage, Shot};
 use radiosity::mesh::Mesh;
 use radiosity::scene::built_in;
-use radiosity::solve::{Options, solve_on};
+use radiosity::solve::{Factors, Options, solve_on};
 
 /// Longest edge of an element, in metres.
 const MAX_EDGE: f64 = 0.05;
@@ -12,7 +12,8 @@ const MAX_EDGE: f64 = 0.05;
 pub fn picture(size: u32) -> RgbImage {
     let scene = built_in("cornell").expect("`cornell` is built in");
     let mesh = Mesh::uniform(&scene, MAX_EDGE);
-    let solution = solve_on(&scene, mesh, &Options::default(), &|_, _, _| {});
+    let options = Options { factors: Factors::Analytic, ..Options::default() };
+    let solution = solve_on(&scene, mesh, &options, &|_, _, _| {});
     let shot = Shot { camera: scene.camera, width: size, height: size, samples: 3 };
     shot.smooth(&solution.mesh, &solution.vertex_radiosity).display(1.0)
 }

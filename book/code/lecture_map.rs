@@ -1,7 +1,11 @@
 //! The lecture map: which page, figure, test and lab stands for which row of the lecture.
 //!
 //! [`ROWS`] is the data; [`page`] writes it as the book's appendix, and
-//! `tests/book.rs` holds every claim in it against the files.
+//! [`Row::faults`] holds every claim in it against the files.
+
+use crate::source;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// One row of the lecture.
 pub struct Row {
@@ -151,6 +155,34 @@ pub const ROWS: [Row; 23] = [
         true,
     ),
 ];
+
+impl Row {
+    /// What a row claims and the files do not hold; `root` is the repository's.
+    pub fn faults(&self, root: &Path) -> Vec<String> {
+        let State::Done(written) = &self.state else { return Vec::new() };
+        let src = root.join("book/src");
+        let read = |path: PathBuf| fs::read_to_string(path).unwrap_or_default();
+        let text = read(src.join(written.page));
+        let folder = src.join(written.page);
+        let mut faults = source::chapter_faults(folder.parent().unwrap_or(&src), &text);
+        if !src.join(written.figure).is_file() || !text.contains(written.figure) {
+            faults.push(format!("the page does not show {}", written.figure));
+        }
+        if !root.join(written.module).exists() {
+            faults.push(format!("no module {}", written.module));
+        }
+        let (file, name) = written.test;
+        if !read(root.join(file)).contains(&format!("fn {name}(")) {
+            faults.push(format!("no test `{name}` in {file}"));
+        }
+        if let Some(lab) = written.lab
+            && !(self.lab && src.join(lab).is_file() && text.contains(lab))
+        {
+            faults.push(format!("no lab {lab}, or the page does not link it"));
+        }
+        faults.into_iter().map(|fault| format!("{}: {fault}", self.title)).collect()
+    }
+}
 
 /// The appendix, as Markdown.
 pub fn page() -> String {

@@ -6,6 +6,9 @@
 //! | [`html`]        | gates over the built pages: links, ids, nothing from outside |
 //! | [`lecture_map`] | which page, figure, test and lab stands for which row        |
 //! | [`generated`]   | the files of `book/src` that a program writes                |
+//! | [`chart`]       | speed against accuracy, as SVG                               |
+//! | [`cornell`]     | the picture on the first page                                |
+//! | [`hemicube`]    | figures and numbers of the chapter                           |
 //!
 //! `cargo test -p book` runs the gates over the sources and every example of every page;
 //! `cargo run -p book --bin check -- book/book` runs those over the built book.

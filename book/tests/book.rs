@@ -85,29 +85,5 @@ fn the_summary_follows_the_lecture() {
 #[test]
 fn a_row_marked_done_has_page_figure_and_test() {
     let repository = generated::root().parent().unwrap();
-    let mut faults = Vec::new();
-    for row in &ROWS {
-        let State::Done(written) = &row.state else { continue };
-        let text = read(written.page);
-        let folder = src(written.page).parent().unwrap().to_path_buf();
-        let chapter = source::chapter_faults(&folder, &text);
-        faults.extend(chapter.into_iter().map(|f| format!("{}: {f}", written.page)));
-        if !src(written.figure).is_file() || !text.contains(written.figure) {
-            faults.push(format!("{}: its page does not show it", written.figure));
-        }
-        if !repository.join(written.module).exists() {
-            faults.push(format!("{}: no such module", written.module));
-        }
-        let (file, name) = written.test;
-        let test = fs::read_to_string(repository.join(file)).unwrap_or_default();
-        if !test.contains(&format!("fn {name}(")) {
-            faults.push(format!("{file}: no test `{name}`"));
-        }
-        if let Some(lab) = written.lab
-            && !(row.lab && src(lab).is_file() && text.contains(lab))
-        {
-            faults.push(format!("{lab}: not there, or the chapter does not link it"));
-        }
-    }
-    all_fit(faults);
+    all_fit(ROWS.iter().flat_map(|row| row.faults(repository)).collect());
 }

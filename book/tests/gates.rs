@@ -2,6 +2,7 @@
 
 use book::chart;
 use book::html;
+use book::lecture_map::{Row, State, Written};
 use book::source::{SECTIONS, chapter_faults, faults, fences, summary};
 use std::fs;
 use std::path::Path;
@@ -123,6 +124,24 @@ fn links_that_lead_nowhere_are_caught() {
     }
     assert_eq!(found.len(), 4, "{found:?}");
     assert!(html::faults(&site.join("nothing")).is_err());
+}
+
+#[test]
+fn rows_that_claim_too_much_are_caught() {
+    let written = Written {
+        page: "hemicube.md",
+        module: "src/none.rs",
+        figure: "pictures/none.snap.png",
+        test: ("tests/hemicube.rs", "no_such_test"),
+        lab: Some("labs/none.md"),
+    };
+    let state = State::Done(written);
+    let row = Row { topic: "", title: "A claim", lab: true, state };
+    let found = row.faults(book::generated::root().parent().unwrap());
+    for expected in ["does not show", "no module", "no test", "no lab"] {
+        assert!(found.iter().any(|f| f.contains(expected)), "{expected}: {found:?}");
+    }
+    assert_eq!(found.len(), 4, "{found:?}");
 }
 
 /// The chart in the book is generated from the CSV, so a number that changes shows.

@@ -109,6 +109,24 @@ fn by_size<'a>(i: &'a Polygon, j: &'a Polygon) -> (&'a Polygon, &'a Polygon) {
     if a < b || (a == b && place(i) < place(j)) { (i, j) } else { (j, i) }
 }
 
+/// The one first on which the other's light casts the softer shadows: the one that is
+/// farther, in its own sizes, from the nearest corner of a blocker. From far off, what a
+/// blocker hides changes slowly; close by, its shadow is a small spot that points may miss.
+fn by_shadow<'a>(
+    i: &'a Polygon,
+    j: &'a Polygon,
+    blockers: &[&Blocker],
+) -> (&'a Polygon, &'a Polygon) {
+    let (small, large) = by_size(i, j);
+    let gap = |p: &Polygon| {
+        let plane = p.plane();
+        let corners = blockers.iter().flat_map(|b| b.corners());
+        let lowest = corners.map(|&v| plane.height(v)).fold(f64::INFINITY, f64::min);
+        lowest.max(0.0) / p.diameter()
+    };
+    if gap(small) < gap(large) { (large, small) } else { (small, large) }
+}
+
 /// A lower bound of the distance between two polygons: how far the sphere around one, with
 /// this `middle`, keeps off the sphere around the other, or off its plane.
 fn distance_at_least(small: &Polygon, middle: DVec3, large: &Polygon) -> f64 {
@@ -133,8 +151,8 @@ pub struct Analytic {
     seed: u64,
 }
 
-/// A partly hidden pair is halved at most this often: to 1/64 of its edge.
-const DEEPEST: u32 = 6;
+/// A partly hidden pair is halved at most this often: to 1/1024 of its edge.
+const DEEPEST: u32 = 10;
 
 impl Analytic {
     /// Factors between the elements of `mesh`, each with an absolute error near
@@ -184,9 +202,9 @@ impl Analytic {
     }
 
     fn exchange_past(&self, a: &Polygon, b: &Polygon, between: &[&Blocker]) -> f64 {
-        let (small, large) = by_size(a, b);
-        let allowed = self.tolerance * small.area().min(large.area());
-        self.past_blockers(small, large, between, None, allowed, DEEPEST)
+        let (from, to) = by_shadow(a, b, between);
+        let allowed = self.tolerance * from.area().min(to.area());
+        self.past_blockers(from, to, between, None, allowed, DEEPEST)
     }
 
     /// `∫ F(x → to) dA` over `from`, to an absolute error near `allowed`; `estimate` is
@@ -207,20 +225,19 @@ impl Analytic {
         if blockers.iter().any(|blocker| blocker.hides_all(from, to)) {
             return 0.0;
         }
-        let by_points = |part: &Polygon| {
-            let middle = part.centroid();
-            part.area() * lambert_visible(middle, part.normal(), to, &blockers)
+        let by_points = |part: &Polygon, n: usize| {
+            over(part, n, |x| lambert_visible(x, part.normal(), to, &blockers))
         };
-        let coarse = estimate.unwrap_or_else(|| by_points(from));
+        let coarse = estimate.unwrap_or_else(|| by_points(from, 2));
         let parts = quarters(from);
-        let fine: Vec<f64> = parts.iter().map(by_points).collect();
+        let fine: Vec<f64> = parts.iter().map(|part| by_points(part, 2)).collect();
         let sum = fine.iter().sum::<f64>();
-        // Four points err by about a quarter of what one does. But points may all miss the
-        // edge of a shadow: ask the corners, which see what points inside may not.
-        let settled = (coarse - sum).abs() <= 4.0 * allowed;
-        if depth == 0 || (settled && (sum != 0.0 || sees_nothing(from, to, &blockers)))
-        {
-            return sum;
+        if depth == 0 || (coarse - sum).abs() <= allowed {
+            // Two rules may agree by chance, where both miss a shadow: ask a third.
+            let finest = parts.iter().map(|part| by_points(part, 3)).sum::<f64>();
+            if depth == 0 || (finest - sum).abs() <= allowed {
+                return finest;
+            }
         }
         let halves = parts.iter().zip(&fine).map(|(part, &found)| {
             let found = Some(found);
@@ -228,15 +245,6 @@ impl Analytic {
         });
         halves.sum()
     }
-}
-
-/// Do all corners of one polygon, moved in a hair, see nothing of the other?
-fn sees_nothing(from: &Polygon, to: &Polygon, blockers: &[&Blocker]) -> bool {
-    let middle = from.centroid();
-    from.vertices().iter().all(|v| {
-        let corner = v.lerp(middle, 1e-3);
-        lambert_visible(corner, from.normal(), to, blockers) == 0.0
-    })
 }
 
 /// Cuts a polygon across its middle, twice.

@@ -8,6 +8,10 @@
 //!
 //! A [`Material`] keeps its fields private: once built it reflects less than it gets.
 //!
+//! | made by           | use it when                      | it fails when               |
+//! |-------------------|----------------------------------|-----------------------------|
+//! | [`Material::new`] | numbers come from file or person | they would create light     |
+//!
 //! **Not here:** transmittance, gloss and Fresnel's law, which pass 1 of the thread does
 //! not carry. Chapters *BRDF* (L04) and *Albedo* (L05). Sources: Nicodemus et al. 1977.
 

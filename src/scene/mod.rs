@@ -4,6 +4,10 @@
 //! but a face that is not convex, not planar, or partly covered by a smaller coplanar one
 //! becomes several. What reports per face - the CSV of `solve`, the matrix - sums them up.
 //!
+//! ```text
+//! face ─ split, less what covers it ─▶ surfaces ─ mesh ─▶ patches ─▶ elements
+//! ```
+//!
 //! | made by             | from                                                |
 //! |---------------------|-----------------------------------------------------|
 //! | [`Scene::assemble`] | faces and materials: splits, and settles overlaps   |
@@ -11,7 +15,8 @@
 //! | [`crate::obj`]      | a file                                              |
 //!
 //! **Not here:** subdivision into patches and elements ([`crate::mesh`]); reading files
-//! ([`crate::obj`]). Chapter *The pipeline* (L08).
+//! ([`crate::obj`]). Chapter *The pipeline* (L08). Sources: Goral et al. 1984; those of the
+//! Cornell box stand by it.
 
 mod assemble;
 mod builtin;

@@ -1,6 +1,8 @@
 //! What several tests share: the accuracy tables under `tests/data/accuracy`.
 #![allow(dead_code, missing_docs)] // each test uses its part
 
+pub mod rooms;
+
 use glam::DVec3;
 use radiosity::geometry::Polygon;
 use serde_json::Value;

@@ -1,0 +1,209 @@
+//! The rules of the house: who may use whom, how long a file is, what a header says, and
+//! where nothing may panic.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Files grow; past this they are split.
+const MOST_LINES: usize = 450;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// All Rust files under a folder of the repository, or the file itself, in order.
+fn rust_files(under: impl AsRef<Path>) -> Vec<PathBuf> {
+    let path = root().join(under);
+    if path.is_file() {
+        return vec![path];
+    }
+    let Ok(entries) = fs::read_dir(&path) else { return vec![] };
+    let mut paths: Vec<PathBuf> = entries.map(|e| e.unwrap().path()).collect();
+    paths.sort();
+    let rust = |p: &PathBuf| p.is_dir() || p.extension().is_some_and(|x| x == "rs");
+    paths.into_iter().filter(rust).flat_map(rust_files).collect()
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+fn name(path: &Path) -> String {
+    path.strip_prefix(root()).unwrap_or(path).display().to_string()
+}
+
+/// The modules of the crate in the order of `lib.rs`.
+fn modules() -> Vec<String> {
+    let lib = read(&root().join("src/lib.rs"));
+    let module =
+        |line: &str| Some(line.strip_prefix("pub mod ")?.strip_suffix(';')?.into());
+    lib.lines().filter_map(module).collect()
+}
+
+fn files_of(module: &str) -> Vec<PathBuf> {
+    let mut files = rust_files(format!("src/{module}.rs"));
+    files.extend(rust_files(format!("src/{module}")));
+    files
+}
+
+/// The file that holds a module's header.
+fn head_of(module: &str) -> PathBuf {
+    let file = root().join(format!("src/{module}.rs"));
+    if file.is_file() { file } else { root().join(format!("src/{module}/mod.rs")) }
+}
+
+/// Lines that are code, with their numbers from 1: no comments, no tests at the end.
+fn code(source: &str) -> impl Iterator<Item = (usize, &str)> {
+    let lines = source.lines().enumerate().map(|(k, line)| (k + 1, line));
+    let lines = lines.take_while(|(_, line)| line.trim() != "#[cfg(test)]");
+    lines.filter(|(_, line)| !line.trim_start().starts_with("//"))
+}
+
+/// Where `source` names a module of `later` by way of `crate::` or `super::`.
+fn upward_use(source: &str, later: &[String]) -> Option<(usize, String)> {
+    for (number, line) in code(source) {
+        // `use crate::{a, b}` would hide the names from a search this simple.
+        if line.contains("crate::{") {
+            return Some((number, line.trim().into()));
+        }
+        for start in ["crate::", "super::"] {
+            for (at, _) in line.match_indices(start) {
+                let rest = &line[at + start.len()..];
+                let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_');
+                let used = &rest[..end.unwrap_or(rest.len())];
+                if later.iter().any(|module| module == used) {
+                    return Some((number, line.trim().into()));
+                }
+            }
+        }
+    }
+    None
+}
+
+/// A module may use only the modules listed above it in `lib.rs`: whoever reads from the
+/// top never meets what has not been explained.
+#[test]
+fn modules_depend_downward_only() {
+    let order = modules();
+    assert!(order.len() >= 12, "{order:?}");
+    for (k, module) in order.iter().enumerate() {
+        let files = files_of(module);
+        assert!(!files.is_empty(), "`{module}` has no source");
+        for file in files {
+            if let Some((line, text)) = upward_use(&read(&file), &order[k + 1..]) {
+                panic!("{}:{line}: `{module}` looks upward: {text}", name(&file));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_planted_upward_use_is_caught() {
+    let later = ["solve".to_string(), "film".to_string()];
+    for planted in [
+        "use crate::solve::Shoot;",
+        "    let x = crate::film::byte(0.5);",
+        "use super::film;",
+        "use crate::{geometry, solve};",
+    ] {
+        assert!(upward_use(planted, &later).is_some(), "{planted}");
+    }
+    for sound in [
+        "use crate::geometry::Rgb;",
+        "/// As [`crate::solve`] does.",
+        "use crate::solver_of_puzzles::x;",
+        "#[cfg(test)]\nuse crate::solve::Shoot;",
+    ] {
+        assert!(upward_use(sound, &later).is_none(), "{sound}");
+    }
+}
+
+#[test]
+fn no_file_is_long() {
+    for folder in ["src", "tests", "book/src", "book/tests", "labs/src", "labs/tests"] {
+        for file in rust_files(folder) {
+            let lines = read(&file).lines().count();
+            assert!(lines <= MOST_LINES, "{} has {lines} lines: split it", name(&file));
+        }
+    }
+}
+
+/// What it is, a formula, the methods with their use, what is not here, the place in the
+/// course, the sources.
+#[test]
+fn every_module_header_has_its_six_parts() {
+    let mut lacking = Vec::new();
+    for module in modules() {
+        let file = head_of(&module);
+        let source = read(&file);
+        let header: Vec<&str> =
+            source.lines().map_while(|line| line.strip_prefix("//!")).collect();
+        let has = |part: &str| header.iter().any(|line| line.contains(part));
+        let first = header.first().is_some_and(|line| line.trim().len() > 20);
+        let table = header.iter().any(|line| line.starts_with(" |--"));
+        let place = has("Chapter") && has("(L");
+        for (part, there) in [
+            ("what it is", first),
+            ("a formula in a ```text fence", has("```text")),
+            ("a table of what to use when", table),
+            ("**Not here:**", has("**Not here:**")),
+            ("its chapters with lectures, (L..)", place),
+            ("Sources:", has("Sources:") || has("Source:")),
+        ] {
+            if !there {
+                lacking.push(format!("{} lacks {part}", name(&file)));
+            }
+        }
+    }
+    assert!(lacking.is_empty(), "{}", lacking.join("\n"));
+}
+
+#[test]
+fn nothing_is_unsafe_ignored_or_unwritten() {
+    assert!(read(&root().join("src/lib.rs")).contains("#![forbid(unsafe_code)]"));
+    let banned = [
+        ("src", &["unsafe {", "unsafe fn", "todo!", "unimplemented!"][..]),
+        ("tests", &["#[ignore"]),
+        ("src", &["#[ignore"]),
+        ("book", &["#[ignore", "todo!", "unimplemented!"]),
+        ("labs", &["#[ignore"]),
+    ];
+    for (folder, words) in banned {
+        for file in rust_files(folder) {
+            if file.ends_with("tests/architecture.rs") {
+                continue; // it names them
+            }
+            for (line, text) in read(&file).lines().enumerate() {
+                for word in words.iter().filter(|word| text.contains(**word)) {
+                    panic!("{}:{}: {word}", name(&file), line + 1);
+                }
+            }
+        }
+    }
+}
+
+/// What a file or an argument can reach must not panic; each exception says why it holds.
+#[test]
+fn input_cannot_make_it_panic() {
+    let allowed = [
+        ("src/scene/builtin/mod.rs", "0.5 is passive"),
+        ("src/scene/builtin/mod.rs", "built-in materials are passive"),
+        ("src/scene/builtin/mod.rs", "built-in scenes are sound"),
+        ("src/geometry/polygon.rs", "a polygon has three or more corners"),
+        ("src/geometry/polygon.rs", "vertices.len() > 1"),
+        ("src/film/draw.rs", "no sheet of"), // sizes are checked by the command
+    ];
+    let words = [".unwrap()", ".expect(", "panic!(", "unreachable!("];
+    let folders = ["obj", "geometry", "scene", "material", "film", "command", "cli"];
+    let files = folders.into_iter().flat_map(files_of).chain(rust_files("src/main.rs"));
+    for file in files {
+        let source = read(&file);
+        for (line, text) in code(&source) {
+            let excused =
+                allowed.iter().any(|(f, why)| name(&file) == *f && text.contains(why));
+            for word in words.iter().filter(|word| text.contains(**word)) {
+                assert!(excused, "{}:{line}: {word} in {}", name(&file), text.trim());
+            }
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! The regular Cornell box against an independent solution, made on a finer mesh, and its
+//! direct light against exact values.
+
+mod common;
+
+use common::cases;
+use common::rooms::{face_means, gathered, shot};
+use radiosity::form_factor::FormFactors;
+use radiosity::form_factor::analytic::Analytic;
+use radiosity::form_factor::hemicube::Hemicube;
+use radiosity::geometry::Rgb;
+use radiosity::mesh::{ElementId, Mesh};
+use radiosity::scene::{Scene, built_in};
+use radiosity::solve::{Brightest, Enclosure, Shoot};
+
+const FACES: [&str; 16] = [
+    "floor", "back", "green", "red", "ceiling", "light", "short0", "short1", "short2",
+    "short3", "short4", "tall0", "tall1", "tall2", "tall3", "tall4",
+];
+
+const LIGHT: usize = 5;
+
+fn cornell() -> Scene {
+    built_in("cornell-regular").unwrap()
+}
+
+/// `‖B − B*‖ / ‖B* − E‖` of the face means, for the channels R and G of the tables.
+fn errors(scene: &Scene, means: &[Rgb]) -> [f64; 2] {
+    let tables = cases("F_cornell_radiosity");
+    let areas = scene.face_areas();
+    [0, 1].map(|channel| {
+        let expected = &tables[channel]["expected"]["B_face_mean"];
+        let (mut error, mut reflected) = (0.0, 0.0);
+        for (k, face) in FACES.iter().enumerate().filter(|(k, _)| *k != LIGHT) {
+            let expected = expected[face].as_f64().unwrap();
+            error += areas[k] * (means[k][channel] - expected).powi(2);
+            reflected += areas[k] * expected.powi(2);
+        }
+        (error / reflected).sqrt()
+    })
+}
+
+/// Gathering and shooting with all factors at hand: the errors of each.
+fn solved(scene: &Scene, mesh: &Mesh, method: &dyn FormFactors) -> [[f64; 2]; 2] {
+    let enclosure = Enclosure::of(scene, mesh);
+    let matrix = method.matrix(&|| ());
+    let gathering = gathered(&enclosure, &matrix, 1e-4, 100);
+    let shooting = Shoot::new(&enclosure, &matrix, Brightest::ByPower);
+    let shooting = shot(&enclosure, shooting, 1e-4, 100_000);
+    [gathering, shooting].map(|b| errors(scene, &face_means(scene, mesh, &b)))
+}
+
+#[test]
+fn face_means_by_analytic_factors_are_within_a_per_cent() {
+    let scene = cornell();
+    let mesh = Mesh::uniform(&scene, 1.1);
+    let tolerance = 0.02 / mesh.elements.len() as f64;
+    let method = Analytic::new(&scene, &mesh, tolerance, 0);
+    let errors = solved(&scene, &mesh, &method);
+    assert!(errors.as_flattened().iter().all(|&e| e < 0.01), "{errors:?}");
+}
+
+#[test]
+fn face_means_by_hemicubes_are_within_a_per_cent() {
+    let scene = cornell();
+    let mesh = Mesh::uniform(&scene, 0.5);
+    let errors = solved(&scene, &mesh, &Hemicube::new(&mesh, 256));
+    assert!(errors.as_flattened().iter().all(|&e| e < 0.01), "{errors:?}");
+}
+
+/// Failures 18 and 19 in a whole scene: of a coarse hemicube only few cells show the lamp.
+/// All that is gathered is off together; what the lamp's own hemicube shoots is not.
+#[test]
+fn gathering_by_coarse_hemicubes_is_off_by_the_lamp() {
+    let scene = cornell();
+    let mesh = Mesh::uniform(&scene, 0.5);
+    let [gathering, shooting] = solved(&scene, &mesh, &Hemicube::new(&mesh, 64));
+    assert!((0.02..0.06).contains(&gathering[0]), "{gathering:?}");
+    assert!(shooting[0] < 0.01, "{shooting:?}");
+}
+
+/// By this measure, reflected light cannot be left out: direct light alone is 42 % off.
+#[test]
+fn direct_light_alone_is_far_off() {
+    let scene = cornell();
+    let direct =
+        &cases("F_cornell_radiosity")[2]["expected"]["direct_irradiance_face_mean"];
+    let means: Vec<Rgb> = (0..16)
+        .map(|k| {
+            let rho = scene.materials[scene.faces[k].material.0 as usize].diffuse();
+            rho * direct[FACES[k]].as_f64().unwrap()
+        })
+        .collect();
+    let error = errors(&scene, &means)[0];
+    assert!((error - 0.42).abs() < 0.01, "{error}");
+}
+
+/// The lamp's light on each face past the blocks, within what the table itself claims: 1e-7
+/// of the lamp's radiosity for most faces.
+#[test]
+fn direct_irradiance() {
+    let scene = cornell();
+    let mesh = Mesh::whole(&scene);
+    let method = Analytic::new(&scene, &mesh, 1e-6, 0);
+    let id = |k: usize| ElementId(k as u32);
+    let face_of = |k: usize| mesh.patch_of(&mesh.elements[k]).face.0 as usize;
+    let elements = 0..mesh.elements.len();
+    let lamp = elements.clone().find(|&k| face_of(k) == LIGHT).unwrap();
+    let mut power = [0.0; 16];
+    elements.for_each(|k| power[face_of(k)] += method.exchange(id(lamp), id(k)));
+    let case = &cases("F_cornell_radiosity")[2];
+    for (k, area) in scene.face_areas().into_iter().enumerate() {
+        let number = |key: &str| case[key][FACES[k]].as_f64().unwrap();
+        let expected =
+            case["expected"]["direct_irradiance_face_mean"][FACES[k]].as_f64();
+        let (got, expected) = (power[k] / area, expected.unwrap());
+        let own = number("uncertainty_per_face");
+        assert!((got - expected).abs() <= own, "{}: {got}, not {expected}", FACES[k]);
+    }
+}

@@ -191,8 +191,8 @@ pub fn page() -> String {
         "# Lecture map\n\n<!-- Written by `cargo run -p book --bin generate`. -->\n\n\
          The course follows one university lecture, row by row. **{done} of {} rows** \
          are written; the others say so.\n\n\
-         | row | the lecture's topic | chapter | code | figure | test | lab |\n\
-         |---|---|---|---|---|---|---|\n",
+         | row | the lecture's topic, and the chapter | code, figure, test | lab |\n\
+         |---|---|---|---|\n",
         ROWS.len()
     );
     for (index, row) in ROWS.iter().enumerate() {
@@ -207,15 +207,15 @@ fn line(number: usize, row: &Row) -> String {
         (_, true) => "not written".into(),
         (_, false) => "—".into(),
     };
-    let start = format!("| L{number:02} | {} |", row.topic);
+    let start = format!("| L{number:02} | {}:<br>", row.topic);
     match &row.state {
         State::Planned => {
-            format!("{start} *{}*, not written | | | | {lab} |\n", row.title)
+            format!("{start} *{}*, not written | | {lab} |\n", row.title)
         }
         State::Done(Written { page, module, figure, test: (file, name), .. }) => {
             format!(
-                "{start} [{}]({page}) | `{module}` | [picture]({figure}) | \
-                 `{file}`: `{name}` | {lab} |\n",
+                "{start} [{}]({page}) | `{module}`,<br>[a figure]({figure}),<br>\
+                 `{name}` in<br>`{file}` | {lab} |\n",
                 row.title
             )
         }

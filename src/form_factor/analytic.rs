@@ -148,6 +148,8 @@ pub struct Analytic {
     blockers: Blockers,
     surfaces: Visibility,
     tolerance: f64,
+    /// The same where nothing stands between.
+    open_tolerance: f64,
     seed: u64,
 }
 
@@ -164,14 +166,25 @@ impl Analytic {
             blockers: Blockers::of(scene),
             surfaces: Visibility::new(scene.surfaces.iter().map(|s| &s.polygon)),
             tolerance,
+            open_tolerance: tolerance,
             seed,
         }
     }
 
-    /// `A_i F_ij` past everything that stands between, in scene units squared.
-    pub fn exchange(&self, i: ElementId, j: ElementId) -> f64 {
+    /// Asks for a thousandth of the tolerance where nothing stands between: for few, large
+    /// elements, where that costs little.
+    pub fn sharp(self) -> Analytic {
+        Analytic { open_tolerance: 1e-3 * self.tolerance, ..self }
+    }
+
+    /// `A_i F_ij` past everything that stands between, and about how far it may be off,
+    /// both in scene units squared.
+    ///
+    /// The error is by how much the rules of each part disagree, summed over the parts;
+    /// where nothing stands between, what was asked for.
+    pub fn exchange(&self, i: ElementId, j: ElementId) -> (f64, f64) {
         let (a, b) = (&self.elements[i.0 as usize], &self.elements[j.0 as usize]);
-        let Some((a, b)) = facing(a, b) else { return 0.0 };
+        let Some((a, b)) = facing(a, b) else { return (0.0, 0.0) };
         self.exchange_past(&a, &b, &self.blockers.between(&a, &b))
     }
 
@@ -197,18 +210,23 @@ impl Analytic {
                 known = Some((wall, self.blockers.between(element, whole)));
             }
             let between = &known.as_ref().expect("just found").1;
-            found(j, self.exchange_past(&a, &b, between));
+            found(j, self.exchange_past(&a, &b, between).0);
         }
     }
 
-    fn exchange_past(&self, a: &Polygon, b: &Polygon, between: &[&Blocker]) -> f64 {
+    fn exchange_past(
+        &self,
+        a: &Polygon,
+        b: &Polygon,
+        between: &[&Blocker],
+    ) -> (f64, f64) {
         let (from, to) = by_shadow(a, b, between);
         let allowed = self.tolerance * from.area().min(to.area());
         self.past_blockers(from, to, between, None, allowed, DEEPEST)
     }
 
     /// `∫ F(x → to) dA` over `from`, to an absolute error near `allowed`; `estimate` is
-    /// what the caller found by points.
+    /// what the caller found by points. Also how far the rules disagree.
     fn past_blockers(
         &self,
         from: &Polygon,
@@ -217,13 +235,14 @@ impl Analytic {
         estimate: Option<f64>,
         allowed: f64,
         depth: u32,
-    ) -> f64 {
+    ) -> (f64, f64) {
         let blockers = self.blockers.narrowed(blockers, from, to);
         if blockers.is_empty() {
-            return exchange_of_facing(from, to, self.tolerance);
+            let found = exchange_of_facing(from, to, self.open_tolerance);
+            return (found, self.open_tolerance * from.area().min(to.area()));
         }
         if blockers.iter().any(|blocker| blocker.hides_all(from, to)) {
-            return 0.0;
+            return (0.0, 0.0);
         }
         let by_points = |part: &Polygon, n: usize| {
             over(part, n, |x| lambert_visible(x, part.normal(), to, &blockers))
@@ -235,15 +254,16 @@ impl Analytic {
         if depth == 0 || (coarse - sum).abs() <= allowed {
             // Two rules may agree by chance, where both miss a shadow: ask a third.
             let finest = parts.iter().map(|part| by_points(part, 3)).sum::<f64>();
-            if depth == 0 || (finest - sum).abs() <= allowed {
-                return finest;
+            let apart = (finest - sum).abs();
+            if depth == 0 || apart <= allowed {
+                return (finest, apart);
             }
         }
-        let halves = parts.iter().zip(&fine).map(|(part, &found)| {
+        let found = parts.iter().zip(&fine).map(|(part, &found)| {
             let found = Some(found);
             self.past_blockers(part, to, &blockers, found, 0.5 * allowed, depth - 1)
         });
-        halves.sum()
+        found.fold((0.0, 0.0), |(sum, off), (part, apart)| (sum + part, off + apart))
     }
 }
 

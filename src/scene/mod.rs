@@ -24,7 +24,7 @@ mod camera;
 mod overlap;
 
 pub use assemble::{FaceError, Warning};
-pub use builtin::{BuiltIn, built_in, builtins};
+pub use builtin::{BuiltIn, BuiltInError, built_in, builtins};
 pub use camera::Camera;
 
 use crate::geometry::{Polygon, bounds};

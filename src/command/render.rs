@@ -1,0 +1,234 @@
+//! `radiosity render`: a solved scene as a camera sees it.
+
+use super::output::{Refusal, Terminal, check_writable, extension, write};
+use super::solve::{FactorMethod, How, SolverMethod, solved};
+use super::values::{self, Size};
+use super::{Source, report};
+use clap::{Args, ValueEnum};
+use radiosity::film::{FalseColour, Format, Picture, Shot, png};
+use radiosity::glam::DVec3;
+use radiosity::scene::Camera;
+use radiosity::solve::Solution;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Draws a picture of a scene in its own light
+#[derive(Args)]
+#[command(after_help = "Examples:
+  radiosity render cornell -o cornell.png
+  radiosity render room.obj -o room.exr --size 1920x1080 --eye 1,1.6,4 --target 2,1,0
+  radiosity render l-room -o mesh.png --shading flat --view mesh --tolerance 5%
+  radiosity render cornell -o lux.png --view false-color")]
+pub struct Render {
+    #[command(flatten)]
+    source: Source,
+    /// Where to write: .png (sRGB), .hdr or .exr (linear radiance, W/(m² sr))
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// How light is followed
+    #[arg(long, value_enum, default_value_t = Passes::Radiosity)]
+    method: Passes,
+    /// One brightness for each element, or a smooth course between their corners
+    #[arg(long, value_enum, default_value_t = Shading::Smooth)]
+    shading: Shading,
+    /// Width and height of the picture in pixels
+    #[arg(long, value_name = "WxH", default_value = "512x512")]
+    #[arg(value_parser = values::size)]
+    size: Size,
+    /// Where the eye is [default: what the scene says, or a place that shows it]
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::vector)]
+    #[arg(allow_hyphen_values = true)]
+    eye: Option<DVec3>,
+    /// A point in the middle of the picture
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::vector)]
+    #[arg(allow_hyphen_values = true)]
+    target: Option<DVec3>,
+    /// Vertical field of view, in degrees
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    fov: Option<f64>,
+    /// A factor on radiance, 1 being white then; auto: most of what is lit stays below
+    #[arg(long, value_name = "auto|VALUE", default_value = "auto")]
+    #[arg(value_parser = exposure, allow_negative_numbers = true)]
+    exposure: Exposure,
+    /// What is drawn
+    #[arg(long, value_enum, default_value_t = What::Color)]
+    view: What,
+    /// The largest relative error of the field asked for, as 0.01 or 1%
+    #[arg(long, default_value = "5%", value_parser = values::tolerance)]
+    #[arg(allow_negative_numbers = true)]
+    tolerance: f64,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Passes {
+    /// Diffuse light between elements, drawn as it is
+    Radiosity,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Shading {
+    Flat,
+    Smooth,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum What {
+    /// As it looks
+    Color,
+    /// Luminance as colour, on a scale of two decades
+    FalseColor,
+    /// As it looks, with the outlines of the elements
+    Mesh,
+}
+
+#[derive(Clone, Copy)]
+enum Exposure {
+    Auto,
+    Value(f64),
+}
+
+fn exposure(text: &str) -> Result<Exposure, String> {
+    match text {
+        "auto" => Ok(Exposure::Auto),
+        _ => text
+            .parse()
+            .map(Exposure::Value)
+            .map_err(|_| "give auto or a number".into()),
+    }
+}
+
+/// The picture is drawn so often along each side of a pixel.
+const SAMPLES: u32 = 3;
+
+impl Render {
+    /// The main job: the Cornell box, into `out/cornell.png`; makes the folder.
+    pub fn cornell() -> Result<Render, Refusal> {
+        let folder = Path::new("out");
+        std::fs::create_dir_all(folder).map_err(|error| {
+            Refusal(format!("the folder out cannot be made ({error}); go elsewhere"))
+        })?;
+        Ok(Render {
+            source: Source { scene: "cornell".into(), up: None },
+            output: folder.join("cornell.png"),
+            method: Passes::Radiosity,
+            shading: Shading::Smooth,
+            size: Size { width: 512, height: 512 },
+            eye: None,
+            target: None,
+            fov: None,
+            exposure: Exposure::Auto,
+            view: What::Color,
+            tolerance: 0.05,
+        })
+    }
+
+    /// Solves, draws and writes.
+    pub fn run(&self, seed: u64, terminal: &Terminal) -> Result<(), Refusal> {
+        let format = self.format()?;
+        check_writable(&self.output)?;
+        let (width, height) = self.size.checked()?;
+        if let Exposure::Value(value) = self.exposure {
+            values::positive("--exposure", value)?;
+        }
+        let Passes::Radiosity = self.method;
+        let how = How {
+            tolerance: self.tolerance,
+            form_factors: FactorMethod::Analytic,
+            samples: None,
+            method: SolverMethod::Shoot,
+        };
+        let options = how.options(seed)?;
+        let scene = self.source.load(terminal)?;
+        let camera = self.camera(scene.camera)?;
+
+        let start = Instant::now();
+        let solution = solved(&scene, &options, terminal)?;
+        terminal.progress("drawing", 0, 1);
+        let shot = Shot { camera, width, height, samples: SAMPLES };
+        let picture = match self.shading {
+            Shading::Flat => shot.flat(&solution.mesh, &solution.radiosity),
+            Shading::Smooth => shot.smooth(&solution.mesh, &solution.vertex_radiosity),
+        };
+        let exposure = match self.exposure {
+            Exposure::Auto => picture.auto_exposure(),
+            Exposure::Value(value) => value,
+        };
+        let bytes = self.encoded(format, &shot, &picture, exposure, &solution)?;
+        let seconds = start.elapsed().as_secs_f64();
+        write(&self.output, &bytes)?;
+
+        let clamped = picture.clamped_share(exposure);
+        let mut text = report::text(&scene, &solution, options.tolerance, seconds);
+        text += &format!(
+            "picture: {}, {width}x{height}, exposure {exposure:.4}, {} of the pixels are \
+             clamped\n",
+            self.output.display(),
+            report::percent(clamped)
+        );
+        terminal.report(&text, || {
+            let mut object = report::json_timed(&solution, options.tolerance, seconds);
+            object["file"] = json!(self.output);
+            object["size"] = json!([width, height]);
+            object["exposure"] = json!(exposure);
+            object["clamped"] = json!(clamped);
+            object
+        })
+    }
+
+    /// The format of the file, if it can hold what is asked for.
+    fn format(&self) -> Result<Format, Refusal> {
+        extension(&self.output, &["png", "hdr", "exr"])?;
+        let format = Format::of(&self.output)?;
+        if self.view != What::Color && format != Format::Png {
+            return Err(Refusal(format!(
+                "{} holds radiance, and this --view is a drawing; end it in .png",
+                self.output.display()
+            )));
+        }
+        Ok(format)
+    }
+
+    /// The camera of the scene with what the options change.
+    fn camera(&self, of_scene: Camera) -> Result<Camera, Refusal> {
+        let place = |option, given: Option<DVec3>, own| match given {
+            Some(given) => values::finite(option, given),
+            None => Ok(own),
+        };
+        let eye = place("--eye", self.eye, of_scene.eye)?;
+        let target = place("--target", self.target, of_scene.target)?;
+        let fov = self.fov.unwrap_or(of_scene.fov);
+        if !(fov > 0.0 && fov < 180.0) {
+            return Err(Refusal(format!(
+                "--fov {fov} is not possible; give degrees between 0 and 180"
+            )));
+        }
+        let forward = values::direction("--target minus --eye:", target - eye)?;
+        let up = of_scene.up;
+        if forward.cross(up).length() < 1e-9 * up.length() {
+            let DVec3 { x, y, z } = up;
+            return Err(Refusal(format!(
+                "the eye looks straight along the world's up {x},{y},{z}; give another \
+                 --up, --eye or --target"
+            )));
+        }
+        Ok(Camera { eye, target, up, fov })
+    }
+
+    fn encoded(
+        &self,
+        format: Format,
+        shot: &Shot,
+        picture: &Picture,
+        exposure: f64,
+        solution: &Solution,
+    ) -> Result<Vec<u8>, Refusal> {
+        Ok(match self.view {
+            What::Color => picture.encode(format, exposure)?,
+            What::FalseColor => png(&FalseColour::of(picture).draw(picture))?,
+            What::Mesh => {
+                png(&shot.with_mesh(picture.display(exposure), &solution.mesh))?
+            }
+        })
+    }
+}

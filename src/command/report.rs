@@ -1,0 +1,132 @@
+//! What a solution says of itself: the ledger, the certificate, the JSON object.
+
+use radiosity::geometry::Rgb;
+use radiosity::scene::Scene;
+use radiosity::solve::{Certificate, Ledger, Solution};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// `[r, g, b]`.
+pub fn rgb(value: Rgb) -> Value {
+    json!(value.to_array())
+}
+
+/// The object that `--json` prints for a solution, but for its seconds.
+///
+/// A number that is infinite, such as an error that has no bound, is `null`.
+pub fn json(solution: &Solution, tolerance: f64) -> Value {
+    let Certificate { error, low, high, confidence } = solution.certificate;
+    let Ledger { emitted, absorbed, escaped, unshot, imbalance } = solution.ledger;
+    json!({
+        "elements": solution.mesh.elements.len(),
+        "patches": solution.mesh.patches.len(),
+        "tolerance": tolerance,
+        "converged": solution.converged,
+        "solver_residual": solution.solver_residual,
+        "certificate": {
+            "error": error, "low": low, "high": high, "confidence": confidence,
+        },
+        "ledger": {
+            "emitted": rgb(emitted),
+            "absorbed": rgb(absorbed),
+            "escaped": rgb(escaped),
+            "unshot": rgb(unshot),
+            "imbalance": rgb(imbalance),
+        },
+        "plan": [],
+    })
+}
+
+/// The same object with the seconds that it took, after the patches.
+pub fn json_timed(solution: &Solution, tolerance: f64, seconds: f64) -> Value {
+    let mut object = serde_json::Map::new();
+    if let Value::Object(entries) = json(solution, tolerance) {
+        for (key, value) in entries {
+            if key == "tolerance" {
+                object.insert("seconds".into(), json!(seconds));
+            }
+            object.insert(key, value);
+        }
+    }
+    Value::Object(object)
+}
+
+/// The summary for people.
+pub fn text(
+    scene: &Scene,
+    solution: &Solution,
+    tolerance: f64,
+    seconds: f64,
+) -> String {
+    let (elements, patches) =
+        (solution.mesh.elements.len(), solution.mesh.patches.len());
+    let mut text = format!(
+        "{}: {elements} elements on {patches} patches, {} steps, {seconds:.1} s\n",
+        scene.name, solution.steps
+    );
+    text += &ledger(&solution.ledger);
+    text += &certificate(&solution.certificate);
+    let reached = match solution.converged {
+        true => "reached",
+        false => "not reached within the limit of elements",
+    };
+    let _ = writeln!(text, "asked for: {}, {reached}", percent(tolerance));
+    text
+}
+
+/// The energy account as a table, in W, and how well it closes.
+fn ledger(ledger: &Ledger) -> String {
+    let mut text =
+        format!("{:<10}{:>14}{:>14}{:>14}\n", "power, W", "red", "green", "blue");
+    let rows = [
+        ("emitted", ledger.emitted),
+        ("absorbed", ledger.absorbed),
+        ("escaped", ledger.escaped),
+        ("unshot", ledger.unshot),
+        ("imbalance", ledger.imbalance),
+    ];
+    for (name, Rgb { x, y, z }) in rows {
+        let cells = [x, y, z].map(number);
+        let _ = writeln!(
+            text,
+            "{name:<10}{:>14}{:>14}{:>14}",
+            cells[0], cells[1], cells[2]
+        );
+    }
+    let share = percent(ledger.worst_imbalance());
+    let _ = writeln!(text, "the account closes to {share} of what is emitted");
+    text
+}
+
+fn number(x: f64) -> String {
+    match x.abs() {
+        0.0 => "0".into(),
+        1e-3..1e6 => format!("{x:.4}"),
+        _ => format!("{x:.3e}"),
+    }
+}
+
+fn certificate(certificate: &Certificate) -> String {
+    let Certificate { error, low, high, confidence } = *certificate;
+    let most = match high.is_finite() {
+        true => format!("at most {}", percent(high)),
+        false => "an upper bound cannot be given".into(),
+    };
+    format!(
+        "the field is off by about {} of the reflected light: at least {}, {most} \
+         ({confidence:.0} % sure)\n",
+        percent(error),
+        percent(low),
+        confidence = 100.0 * confidence,
+    )
+}
+
+/// `0.0314` as `3.1 %`.
+pub fn percent(share: f64) -> String {
+    match 100.0 * share {
+        0.0 => "0 %".into(),
+        p if p.abs() < 0.01 => format!("{p:.1e} %"),
+        p if p.abs() < 1.0 => format!("{p:.2} %"),
+        p => format!("{p:.1} %"),
+    }
+}

@@ -1,0 +1,168 @@
+//! `radiosity solve`: pass 1, into a table, a mesh or all of it.
+
+use super::output::{Refusal, Terminal, check_writable, extension, write};
+use super::{Source, report, tables, values};
+use clap::{Args, ValueEnum};
+use radiosity::scene::Scene;
+use radiosity::solve::{self, Factors, Method, Options, Solution};
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Solves the radiosity equation of a scene
+#[derive(Args)]
+#[command(after_help = "Examples:
+  radiosity solve cornell -o cornell.csv
+  radiosity solve room.obj -o room.ply --tolerance 2%
+  radiosity solve furnace:0.9 -o furnace.json --method gather --json
+
+The error is that of the smooth field relative to the reflected light; face means are
+usually far better. A tolerance out of reach is told by `converged: false`, not refused.")]
+pub struct Solve {
+    #[command(flatten)]
+    source: Source,
+    /// Where to write: .csv (means of faces), .ply (elements) or .json (all of it)
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    how: How,
+}
+
+/// How pass 1 is done.
+#[derive(Args)]
+pub struct How {
+    /// The largest relative error of the field asked for, as 0.01 or 1%
+    #[arg(long, default_value = "1%", value_parser = values::tolerance)]
+    #[arg(allow_negative_numbers = true)]
+    pub tolerance: f64,
+    /// How form factors are computed
+    #[arg(long, value_enum, default_value_t = FactorMethod::Analytic)]
+    pub form_factors: FactorMethod,
+    /// Rays from each element, with `--form-factors sampling` [default: 4096]
+    #[arg(long, value_name = "N")]
+    pub samples: Option<usize>,
+    /// How the equation is solved
+    #[arg(long, value_enum, default_value_t = SolverMethod::Shoot)]
+    pub method: SolverMethod,
+}
+
+/// The methods for form factors.
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+pub enum FactorMethod {
+    /// Lambert's formula, with what stands between cut out
+    Analytic,
+    /// Rays from random points in cosine-weighted directions
+    Sampling,
+    /// Pictures of what an element sees
+    Hemicube,
+}
+
+/// The solvers.
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+pub enum SolverMethod {
+    /// Gauss-Seidel over the whole matrix
+    Gather,
+    /// Progressive refinement: the brightest first
+    Shoot,
+}
+
+/// Rays from an element: a factor of 0.1 is then good to 0.005.
+const RAYS: usize = 4096;
+
+/// More rays than this from one element are a slip of the keyboard.
+const MOST_RAYS: usize = 1 << 30;
+
+/// Cells along the edge of a hemicube.
+const RESOLUTION: u32 = 256;
+
+/// A solution keeps up to the square of this many form factors, 8 bytes each.
+const MOST_SURFACES: usize = 16_000;
+
+impl How {
+    /// The options of the library, if they make sense.
+    pub fn options(&self, seed: u64) -> Result<Options, Refusal> {
+        let tolerance = values::positive("--tolerance", self.tolerance)?;
+        let rays = samples(self.samples, self.form_factors)?.unwrap_or(RAYS);
+        let factors = match self.form_factors {
+            FactorMethod::Analytic => Factors::Analytic,
+            FactorMethod::Sampling => Factors::Sampling(rays),
+            FactorMethod::Hemicube => Factors::Hemicube(RESOLUTION),
+        };
+        let method = match self.method {
+            SolverMethod::Gather => Method::Gather,
+            SolverMethod::Shoot => Method::Shoot,
+        };
+        Ok(Options { method, factors, tolerance, seed, ..Options::default() })
+    }
+}
+
+/// The number of rays asked for, if it makes sense.
+pub fn samples(
+    given: Option<usize>,
+    method: FactorMethod,
+) -> Result<Option<usize>, Refusal> {
+    match given {
+        Some(_) if method != FactorMethod::Sampling => Err(Refusal(
+            "--samples counts rays, and this method draws none; choose sampling".into(),
+        )),
+        Some(rays) if !(1..=MOST_RAYS).contains(&rays) => Err(Refusal(format!(
+            "--samples {rays} is not possible; choose 1 to {MOST_RAYS}"
+        ))),
+        given => Ok(given),
+    }
+}
+
+/// Solves `scene`, if it can be solved.
+pub fn solved(
+    scene: &Scene,
+    options: &Options,
+    terminal: &Terminal,
+) -> Result<Solution, Refusal> {
+    let name = &scene.name;
+    if !scene.has_emitter() {
+        return Err(Refusal(format!(
+            "{name} has no emitter, so all of it is dark; give a material that is used a \
+             `Ke` above 0"
+        )));
+    }
+    let surfaces = scene.surfaces.len();
+    if surfaces > MOST_SURFACES {
+        return Err(Refusal(format!(
+            "{name} has {surfaces} surfaces, and this solver takes {MOST_SURFACES}; use \
+             fewer, larger faces"
+        )));
+    }
+    Ok(solve::solve(scene, options, &|what, done, all| {
+        terminal.progress(what, done, all)
+    }))
+}
+
+impl Solve {
+    /// Solves and writes.
+    pub fn run(&self, seed: u64, terminal: &Terminal) -> Result<(), Refusal> {
+        let file = match &self.output {
+            Some(path) => {
+                let kind = extension(path, &["csv", "ply", "json"])?;
+                check_writable(path)?;
+                Some((path, kind))
+            }
+            None => None,
+        };
+        let options = self.how.options(seed)?;
+        let scene = self.source.load(terminal)?;
+        let start = Instant::now();
+        let solution = solved(&scene, &options, terminal)?;
+        let seconds = start.elapsed().as_secs_f64();
+        let mut text = report::text(&scene, &solution, options.tolerance, seconds);
+        if let Some((path, kind)) = file {
+            let content = match kind {
+                "csv" => tables::csv(&scene, &solution),
+                "ply" => tables::ply(&solution),
+                _ => tables::json(&scene, &solution, options.tolerance),
+            };
+            write(path, content.as_bytes())?;
+            text += &format!("written: {}\n", path.display());
+        }
+        terminal
+            .report(&text, || report::json_timed(&solution, options.tolerance, seconds))
+    }
+}

@@ -107,7 +107,7 @@ fn direct_irradiance() {
     let elements = 0..mesh.elements.len();
     let lamp = elements.clone().find(|&k| face_of(k) == LIGHT).unwrap();
     let mut power = [0.0; 16];
-    elements.for_each(|k| power[face_of(k)] += method.exchange(id(lamp), id(k)).0);
+    elements.for_each(|k| power[face_of(k)] += method.exchange(id(lamp), id(k)));
     let case = &cases("F_cornell_radiosity")[2];
     for (k, area) in scene.face_areas().into_iter().enumerate() {
         let number = |key: &str| case[key][FACES[k]].as_f64().unwrap();

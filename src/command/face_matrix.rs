@@ -119,7 +119,7 @@ impl Faces<'_> {
             let pairs = |i: usize| {
                 let exchange = |j: usize| {
                     let (i, j) = (ElementId(i as u32), ElementId(j as u32));
-                    method.exchange(i, j)
+                    method.exchange_and_error(i, j)
                 };
                 let found = (i + 1..surfaces).map(|j| (j, exchange(j)));
                 found.filter(|(_, (x, _))| *x != 0.0).collect::<Vec<_>>()

@@ -177,12 +177,17 @@ impl Analytic {
         Analytic { open_tolerance: 1e-3 * self.tolerance, ..self }
     }
 
+    /// `A_i F_ij` past everything that stands between, in scene units squared.
+    pub fn exchange(&self, i: ElementId, j: ElementId) -> f64 {
+        self.exchange_and_error(i, j).0
+    }
+
     /// `A_i F_ij` past everything that stands between, and about how far it may be off,
     /// both in scene units squared.
     ///
     /// The error is by how much the rules of each part disagree, summed over the parts;
     /// where nothing stands between, what was asked for.
-    pub fn exchange(&self, i: ElementId, j: ElementId) -> (f64, f64) {
+    pub fn exchange_and_error(&self, i: ElementId, j: ElementId) -> (f64, f64) {
         let (a, b) = (&self.elements[i.0 as usize], &self.elements[j.0 as usize]);
         let Some((a, b)) = facing(a, b) else { return (0.0, 0.0) };
         self.exchange_past(&a, &b, &self.blockers.between(&a, &b))

@@ -91,8 +91,9 @@ fn part(a: f64, b: f64, gap: f64, f: &impl Fn(f64) -> f64) -> f64 {
         return length
             * gauss(MOST).iter().map(|&(x, w)| w * f(a + length * x)).sum::<f64>();
     }
-    if gap > 0.1 * length {
-        let middle = 0.5 * (a + b);
+    let middle = 0.5 * (a + b);
+    // A part of a few roundings has no middle.
+    if gap > 0.1 * length && a < middle && middle < b {
         return part(a, middle, gap, f) + part(middle, b, gap, f);
     }
     let crowded =

@@ -80,6 +80,34 @@ fn powers_of_the_cosine() {
     });
 }
 
+/// A sphere sends light evenly in all directions: its factor to anything is a solid angle
+/// over 4π. And what faces a sphere gets the projected solid angle of a cap, over π.
+#[test]
+fn factors_of_spheres_are_solid_angles() {
+    let mut met = 0;
+    for case in &cases("A_discs_spheres") {
+        let got = match case["kind"].as_str().unwrap() {
+            "sphere_to_coaxial_disc" => {
+                let rim = number(case, "r_disc").atan2(number(case, "h_center"));
+                r::solid_angle_of_cap(rim) / (4.0 * PI)
+            }
+            "sphere_to_rectangle_corner" => {
+                let [a, b, h] = ["a", "b", "h"].map(|key| number(case, key));
+                r::solid_angle_of_corner(a, b, h) / (4.0 * PI)
+            }
+            "element_to_sphere_facing" => {
+                let rim = (number(case, "R") / number(case, "d")).asin();
+                r::projected_solid_angle_of_cap(rim, 0.0) / PI
+            }
+            _ => continue,
+        };
+        let expected = case["expected"]["F12"].as_f64().unwrap();
+        assert!(within(got, expected, 1e-14, 0.0), "{}: {got}, {expected}", case["id"]);
+        met += 1;
+    }
+    assert_eq!(met, 10);
+}
+
 /// One thing, seen ever farther away and ever nearer, from 1e-8 sr to 4π: every way of
 /// measuring it agrees.
 #[test]

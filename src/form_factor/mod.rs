@@ -22,7 +22,9 @@ pub mod cast;
 mod contour;
 pub mod hemicube;
 mod matrix;
+pub mod named;
 mod quadrature;
+pub mod shortcuts;
 mod visible;
 
 pub use blocker::Blocker;

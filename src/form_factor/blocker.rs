@@ -50,8 +50,12 @@ impl Blocker {
     /// A segment that runs through the solid from outside to outside crosses its surface
     /// in two places, not both in one plane: so the face that is missing does not matter.
     pub fn solid(sheets: &[&Polygon], margin: f64) -> Option<Blocker> {
-        let corners: Vec<DVec3> =
-            sheets.iter().flat_map(|s| s.vertices()).copied().collect();
+        let mut corners: Vec<DVec3> = Vec::new();
+        for &v in sheets.iter().flat_map(|s| s.vertices()) {
+            if corners.iter().all(|c| c.distance(v) > margin) {
+                corners.push(v);
+            }
+        }
         let below = |plane: &Plane| corners.iter().all(|&v| plane.height(v) <= margin);
         let mut faces: Vec<Plane> = sheets.iter().map(|s| s.plane()).collect();
         if sheets.len() < 3 || !faces.iter().all(below) {
@@ -107,11 +111,20 @@ impl Blocker {
         cones: &mut Vec<Cone>,
     ) {
         let front = target.plane();
-        if self.corners.iter().all(|&v| front.height(v) >= 0.0) && self.is_outside(p) {
+        let rounding = 1e-12 * p.distance(self.middle);
+        let outside = self.is_outside(p);
+        if outside && self.corners.iter().all(|&v| front.height(v) >= -rounding) {
             cones.extend(self.cone(p, target));
-        } else {
-            let sheets = self.sheets.iter();
-            cones.extend(sheets.filter_map(|sheet| cone_of_sheet(p, sheet, target)));
+            return;
+        }
+        // A ray into the solid enters through a face that looks at its origin: those are
+        // enough, unless the one that is missing looks there too.
+        let looks = |k: usize| self.faces[k].height(p) > 0.0;
+        let missing = (self.sheets.len()..self.faces.len()).any(looks);
+        for (k, sheet) in self.sheets.iter().enumerate() {
+            if missing || !outside || self.sheets.len() == 1 || looks(k) {
+                cones.extend(cone_of_sheet(p, sheet, target));
+            }
         }
     }
 
@@ -149,32 +162,41 @@ impl Blocker {
     ///
     /// Yes when it cuts every segment between their corners: from a fixed point the hidden
     /// part is convex, so it holds all that its corners span - first on one side, then,
-    /// point by point, on the other.
-    pub(super) fn hides_all(&self, i: &Polygon, j: &Polygon) -> bool {
-        i.vertices().iter().all(|&a| j.vertices().iter().all(|&b| self.cuts(a, b)))
+    /// point by point, on the other. Corners are moved in by a billionth: those of a
+    /// polygon that touches the blocker lie on its rim, and see past it along the rim.
+    pub fn hides_all(&self, i: &Polygon, j: &Polygon) -> bool {
+        let corners = |p: &Polygon| {
+            let middle = p.centroid();
+            let moved = p.vertices().iter().map(|v| v.lerp(middle, 1e-9));
+            moved.collect::<SmallVec<[DVec3; 8]>>()
+        };
+        let (from, to) = (corners(i), corners(j));
+        from.iter().all(|&a| to.iter().all(|&b| self.cuts(a, b)))
     }
 
-    /// Does the segment run through the inside, ends outside?
+    /// Does the segment run through the inside?
     fn cuts(&self, a: DVec3, b: DVec3) -> bool {
         if let [plane, _] = self.faces[..] {
             let (ha, hb) = (plane.height(a), plane.height(b));
             let crosses = || a + (b - a) * (ha / (ha - hb));
             return ha * hb < 0.0 && self.sheets[0].contains(crosses(), 0.0);
         }
-        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-        for face in &self.faces {
+        // It is cut where it crosses a face that is there; the missing one lets it through.
+        let there = |k: usize| k < self.sheets.len();
+        let ((mut enter, mut stopped_at_entry), (mut leave, mut stopped_at_exit)) =
+            ((0.0_f64, false), (1.0_f64, false));
+        for (k, face) in self.faces.iter().enumerate() {
             let (ha, hb) = (face.height(a), face.height(b));
+            let at = ha / (ha - hb);
             if ha >= 0.0 && hb >= 0.0 {
                 return false;
-            }
-            let at = ha / (ha - hb);
-            if ha > 0.0 {
-                enter = enter.max(at);
-            } else if hb > 0.0 {
-                leave = leave.min(at);
+            } else if ha > 0.0 && at > enter {
+                (enter, stopped_at_entry) = (at, there(k));
+            } else if hb > 0.0 && at < leave {
+                (leave, stopped_at_exit) = (at, there(k));
             }
         }
-        enter > 0.0 && leave < 1.0 && enter < leave
+        enter < leave && (stopped_at_entry || stopped_at_exit)
     }
 }
 

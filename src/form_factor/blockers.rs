@@ -63,6 +63,11 @@ impl Blockers {
         &self.walls
     }
 
+    /// Everything that can stand in the way.
+    pub fn all(&self) -> &[Blocker] {
+        &self.blockers
+    }
+
     /// In which of the [`Blockers::walls`] a surface lies.
     pub fn wall_of(&self, surface: usize) -> u32 {
         self.wall_of[surface]
@@ -170,8 +175,14 @@ fn hull(tiles: &[usize], surfaces: &[&Polygon]) -> Polygon {
     if tiles.len() == 1 {
         return first.clone();
     }
+    // An odd angle, so that no edge runs along an axis and rounding cannot change the
+    // order of its corners.
     let frame = Frame::about(first.normal());
-    let flat = |v: DVec3| (frame.x.dot(v), frame.y.dot(v));
+    let (sine, cosine) = 1.0_f64.sin_cos();
+    let flat = |v: DVec3| {
+        let (x, y) = (frame.x.dot(v), frame.y.dot(v));
+        (cosine * x + sine * y, cosine * y - sine * x)
+    };
     let corners = tiles.iter().flat_map(|&t| surfaces[t].vertices());
     let mut points: Vec<(f64, f64, DVec3)> =
         corners.map(|&v| (flat(v).0, flat(v).1, v)).collect();
@@ -182,7 +193,7 @@ fn hull(tiles: &[usize], surfaces: &[&Polygon]) -> Polygon {
         for &p in points {
             while let [.., a, b] = chain[..] {
                 let turn = (b.0 - a.0) * (p.1 - a.1) - (b.1 - a.1) * (p.0 - a.0);
-                if turn > 1e-12 * size * size {
+                if turn > 1e-9 * size * size {
                     break;
                 }
                 chain.pop();

@@ -257,11 +257,15 @@ impl Analytic {
         let fine: Vec<f64> = parts.iter().map(|part| by_points(part, 2)).collect();
         let sum = fine.iter().sum::<f64>();
         if depth == 0 || (coarse - sum).abs() <= allowed {
-            // Two rules may agree by chance, where both miss a shadow: ask a third.
-            let finest = parts.iter().map(|part| by_points(part, 3)).sum::<f64>();
-            let apart = (finest - sum).abs();
+            // Two rules may agree by chance, where both miss a shadow: ask a third. All may
+            // miss a slit of light: where none sees any, ask the corners.
+            let third = match sum {
+                0.0 => from.area() * seen_by_corners(from, to, &blockers),
+                _ => parts.iter().map(|part| by_points(part, 3)).sum(),
+            };
+            let apart = (third - sum).abs();
             if depth == 0 || apart <= allowed {
-                return (finest, apart);
+                return (if sum == 0.0 { sum } else { third }, apart);
             }
         }
         let found = parts.iter().zip(&fine).map(|(part, &found)| {
@@ -270,6 +274,15 @@ impl Analytic {
         });
         found.fold((0.0, 0.0), |(sum, off), (part, apart)| (sum + part, off + apart))
     }
+}
+
+/// The most that a corner of one polygon, moved in a hair, sees of the other.
+fn seen_by_corners(from: &Polygon, to: &Polygon, blockers: &[&Blocker]) -> f64 {
+    let middle = from.centroid();
+    let corners = from.vertices().iter().map(|v| v.lerp(middle, 1e-3));
+    let seen =
+        corners.map(|corner| lambert_visible(corner, from.normal(), to, blockers));
+    seen.fold(0.0, f64::max)
 }
 
 /// Cuts a polygon across its middle, twice.

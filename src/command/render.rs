@@ -134,7 +134,7 @@ impl Render {
         let Passes::Radiosity = self.method;
         let how = How {
             tolerance: self.tolerance,
-            form_factors: FactorMethod::Analytic,
+            form_factors: FactorMethod::Hemicube,
             samples: None,
             method: SolverMethod::Shoot,
         };

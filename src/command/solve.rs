@@ -35,7 +35,7 @@ pub struct How {
     #[arg(allow_negative_numbers = true)]
     pub tolerance: f64,
     /// How form factors are computed
-    #[arg(long, value_enum, default_value_t = FactorMethod::Analytic)]
+    #[arg(long, value_enum, default_value_t = FactorMethod::Hemicube)]
     pub form_factors: FactorMethod,
     /// Rays from each element, with `--form-factors sampling` [default: 4096]
     #[arg(long, value_name = "N")]

@@ -102,7 +102,7 @@ pub struct Solution {
 const SOLVER_SHARE: f64 = 0.1;
 
 /// Solves a scene: from a coarse mesh to ever finer ones, until the certificate meets the
-/// tolerance or the next mesh would have too many elements.
+/// tolerance or a finer mesh would have too many elements.
 ///
 /// Deterministic: the same at any number of threads.
 pub fn solve(scene: &Scene, options: &Options, progress: Progress) -> Solution {
@@ -113,10 +113,14 @@ pub fn solve(scene: &Scene, options: &Options, progress: Progress) -> Solution {
         let mesh = Mesh::uniform(scene, edge);
         let solution = solve_on(scene, mesh, options, progress);
         // The error of a field on a mesh of edge h falls no faster than h.
-        let finer =
-            edge * (options.tolerance / solution.certificate.high).clamp(0.4, 0.8);
-        let too_fine = Mesh::count_uniform(scene, finer) > options.most_elements as f64;
-        if solution.converged || too_fine {
+        let share = (options.tolerance / solution.certificate.high).clamp(0.4, 0.8);
+        let mut finer = share * edge;
+        while finer < edge
+            && Mesh::count_uniform(scene, finer) > options.most_elements as f64
+        {
+            finer *= 1.02; // the finest mesh that is allowed
+        }
+        if solution.converged || finer > 0.9 * edge {
             return solution;
         }
         edge = finer;

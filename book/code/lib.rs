@@ -33,6 +33,7 @@ mod pages {
     pages! {
         index: "index.md",
         hemicube: "hemicube.md",
+        labs_solid_angle: "labs/solid-angle.md",
         labs_hemicube: "labs/hemicube.md",
         notation: "notation.md",
         bibliography: "bibliography.md",

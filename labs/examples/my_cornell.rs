@@ -1,4 +1,4 @@
-//! Lab 1, the reward: the Cornell box, lit by your hemicube.
+//! The reward of the lab `hemicube`: the Cornell box, lit by your hemicube.
 //!
 //! ```sh
 //! cargo run -p labs --example my_cornell            # out/my_cornell.png

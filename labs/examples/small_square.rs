@@ -1,4 +1,4 @@
-//! Lab 1, report question: how often is a small square missed, and how far is it off?
+//! Report question of the lab `hemicube`: how often is a small square missed, and how far is it off?
 //!
 //! ```sh
 //! cargo run -p labs --example small_square            # your hemicube

@@ -19,6 +19,18 @@ pub struct Bug {
     pub says: &'static str,
 }
 
+/// Declares each mistake as a constant.
+macro_rules! bugs {
+    ($($(#[$doc:meta])* $id:ident $name:literal $says:literal;)*) => {
+        $(
+            $(#[$doc])*
+            pub const $id: $crate::check::Bug =
+                $crate::check::Bug { name: $name, says: $says };
+        )*
+    };
+}
+pub(crate) use bugs;
+
 /// What one check found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
@@ -142,6 +154,7 @@ fn same_multiple(got: &[f64], expected: &[f64]) -> Option<String> {
 
 /// Six digits, in the shorter of the two notations.
 pub fn digits(x: f64) -> String {
+    let x = x + 0.0; // -0 is 0
     let mut text = String::new();
     let plain = x == 0.0 || !x.is_finite() || (1e-4..1e6).contains(&x.abs());
     // Writing to a String cannot fail.

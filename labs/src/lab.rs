@@ -6,9 +6,8 @@ use std::fmt;
 
 /// One lab.
 pub struct Lab {
-    /// Its number in the course, from 1; `todo!` messages of the starter carry it.
-    pub number: u32,
-    /// Its name on the command line; also that of its folder and its page.
+    /// Its name on the command line, in the `todo!`s of its starter, and of its page; with
+    /// `_` for `-` also that of its folder.
     pub name: &'static str,
     /// Its title.
     pub title: &'static str,
@@ -87,6 +86,17 @@ pub struct Check<W> {
     pub run: fn(&W, &mut Stream) -> Verdict,
 }
 
+/// A [`Check`] in one line.
+pub const fn check<W>(
+    task: usize,
+    name: &'static str,
+    title: &'static str,
+    points: u32,
+    run: fn(&W, &mut Stream) -> Verdict,
+) -> Check<W> {
+    Check { about: About { task, name, title, points }, run }
+}
+
 /// A played student: the answer with one mistake.
 pub struct Wrong<W> {
     /// Its name on the command line.
@@ -97,6 +107,16 @@ pub struct Wrong<W> {
     pub named: &'static [Bug],
     /// The work handed in.
     pub work: W,
+}
+
+/// A [`Wrong`] in one line.
+pub const fn plays<W>(
+    name: &'static str,
+    thought: &'static str,
+    named: &'static [Bug],
+    work: W,
+) -> Wrong<W> {
+    Wrong { name, thought, named, work }
 }
 
 /// The work and the checks of one lab; `W` is its contract, a table of functions.
@@ -170,6 +190,6 @@ impl Lab {
 
     /// Does the starter still hold the `todo!` of `task`?
     pub fn untouched(&self, task: usize) -> bool {
-        self.source.contains(&format!("todo!(\"lab {}, task {task}", self.number))
+        self.source.contains(&format!("todo!(\"{}, task {task}:", self.name))
     }
 }

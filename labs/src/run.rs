@@ -177,8 +177,7 @@ pub fn one_task(lab: &Lab, task: usize, who: &Who, cohort: &str) {
         if about.task != task {
             continue;
         }
-        let mut stream =
-            Stream::named(seed(cohort), &[lab.number.into(), index as u64]);
+        let mut stream = Stream::named(seed(cohort), &[seed(lab.name), index as u64]);
         let start = Instant::now();
         let run = AssertUnwindSafe(|| lab.kit.run(who, index, &mut stream));
         let verdict = match panic::catch_unwind(run) {

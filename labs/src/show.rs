@@ -44,17 +44,17 @@ pub fn labs() -> String {
         let (tasks, minutes) = (lab.tasks.len(), lab.minutes);
         let points: u32 = lab.kit.checks().iter().map(|about| about.points).sum();
         out += &format!(
-            "{}  {:<12} {} ({tasks} tasks, {minutes} min, {points} points)\n",
-            lab.number, lab.name, lab.title
+            "{:<12} {} ({tasks} tasks, {minutes} min, {points} points)\n",
+            lab.name, lab.title
         );
-        out += &format!("   read {}   edit {}\n", lab.page(), lab.starter);
+        out += &format!("             read {}   edit {}\n", lab.page(), lab.starter);
     }
     out + "\n`cargo lab list LAB` shows a lab's tasks and its played students.\n"
 }
 
 /// The tasks of a lab, its checks and its played students.
 pub fn tasks(lab: &Lab) -> String {
-    let mut out = format!("Lab {}: {}\n\n", lab.number, lab.title);
+    let mut out = format!("{}: {}\n\n", lab.name, lab.title);
     for (k, task) in lab.tasks.iter().enumerate() {
         let writes = task.writes.map(|name| format!(": `{name}`")).unwrap_or_default();
         out += &format!("task {}  {}{writes}\n", k + 1, task.title);
@@ -77,7 +77,7 @@ pub fn report(
     tests: &[Test],
     paint: Paint,
 ) -> String {
-    let mut out = format!("Lab {}: {}", lab.number, lab.title);
+    let mut out = format!("{}: {}", lab.name, lab.title);
     out += &match who {
         Who::Starter => format!("   ({}, cohort {cohort})\n", lab.starter),
         _ => format!("   ({who}, cohort {cohort})\n"),

@@ -1,4 +1,4 @@
-//! One right answer to lab 1: cells weighed at their centres (Cohen & Greenberg 1985).
+//! One right answer: cells weighed at their centres (Cohen & Greenberg 1985).
 #![deny(warnings)]
 
 use super::Work;

@@ -1,13 +1,6 @@
-//! The mistakes that the checks of lab 1 can name.
+//! The mistakes that the checks of the lab `hemicube` can name.
 
-use crate::check::Bug;
-
-/// Declares each mistake as a constant.
-macro_rules! bugs {
-    ($($(#[$doc:meta])* $id:ident $name:literal $says:literal;)*) => {
-        $($(#[$doc])* pub const $id: Bug = Bug { name: $name, says: $says };)*
-    };
-}
+use crate::check::bugs;
 
 bugs! {
     /// 1/r² where 1/r⁴ belongs.

@@ -1,4 +1,4 @@
-//! Lab 1: hemicube weights and item buffer.
+//! The lab `hemicube`: hemicube weights and item buffer.
 //!
 //! ```text
 //! ΔF_top  =   ΔA / (π (x² + y² + 1)²)      cell of the top face at (x, y, 1)
@@ -55,7 +55,6 @@ pub struct Work {
 
 /// The lab.
 pub const LAB: Lab = Lab {
-    number: 1,
     name: "hemicube",
     title: "Hemicube weights and item buffer",
     minutes: 90,

@@ -1,4 +1,4 @@
-//! Your work for lab 1. The brief is `book/src/labs/hemicube.md`; `given.rs` holds the
+//! Your work. The brief is `book/src/labs/hemicube.md`; `given.rs` holds the
 //! types, and a picture of the cells. Replace each `todo!`, then:
 //!
 //! ```text
@@ -13,22 +13,22 @@ use std::f64::consts::PI;
 
 /// Task 1: the form factor to a square cell of the top face, centre (x, y, 1).
 pub fn top_factor(x: f64, y: f64, edge: f64) -> f64 {
-    todo!("lab 1, task 1: the weight of a cell of the top face")
+    todo!("hemicube, task 1: the weight of a cell of the top face")
 }
 
 /// Task 1: the form factor to a square cell of a side face, centre (1, y, z).
 pub fn side_factor(y: f64, z: f64, edge: f64) -> f64 {
-    todo!("lab 1, task 1: the weight of a cell of a side face")
+    todo!("hemicube, task 1: the weight of a cell of a side face")
 }
 
 /// Task 2: the weights of all cells of the top and of one side.
 pub fn weights(n: usize) -> Weights {
-    todo!("lab 1, task 2: the tables of weights")
+    todo!("hemicube, task 2: the tables of weights")
 }
 
 /// Task 3: what each of the `cells` of a face sees first.
 pub fn item_buffer(cells: usize, own: usize, fragments: &[Fragment]) -> Vec<Item> {
-    todo!("lab 1, task 3: the item buffer")
+    todo!("hemicube, task 3: the item buffer")
 }
 
 /// Task 4: writes the form factor to element `j` to `row[j]`; returns what is lost.
@@ -37,12 +37,12 @@ pub fn factor_row(
     weights: &Weights,
     row: &mut [f64],
 ) -> Lost {
-    todo!("lab 1, task 4: a row of form factors")
+    todo!("hemicube, task 4: a row of form factors")
 }
 
 /// Task 5: from `row[j]` = F_ij, with i = `from`, the factors F_ji.
 pub fn shooting_factors(row: &[f64], areas: &[f64], from: usize) -> Vec<f64> {
-    todo!("lab 1, task 5: the factors that shooting needs")
+    todo!("hemicube, task 5: the factors that shooting needs")
 }
 
 /// What is handed in.

@@ -1,7 +1,7 @@
 //! Task 3: the item buffer, against a slow one of our own on random fragments.
 
-use super::{uniform, whole_number};
 use crate::check::{Bug, Verdict};
+use crate::draw::{uniform, whole_number};
 use crate::hemicube::Work;
 use crate::hemicube::bugs::*;
 use crate::hemicube::given::{Fragment, Item};

@@ -1,4 +1,4 @@
-//! The checks of lab 1. Each task is judged on values that do not come from the
+//! The checks of this lab. Each task is judged on values that do not come from the
 //! student's other tasks, so that one mistake fails one task; task 6 tries all of them
 //! together.
 
@@ -11,20 +11,9 @@ use super::Work;
 use super::bugs::FULL_SIDES;
 use super::given::{Weights, cells};
 use crate::check::Verdict;
-use crate::lab::{About, Check};
+use crate::lab::{Check, check};
 use buffer::{BACKS, FAR, NEAR, OWN, buffer};
-use radiosity::random::Stream;
 use row::{Part, row};
-
-const fn check(
-    task: usize,
-    name: &'static str,
-    title: &'static str,
-    points: u32,
-    run: fn(&Work, &mut Stream) -> Verdict,
-) -> Check<Work> {
-    Check { about: About { task, name, title, points }, run }
-}
 
 /// All checks, in order of tasks.
 pub const ALL: &[Check<Work>] = &[
@@ -52,16 +41,6 @@ pub const ALL: &[Check<Work>] = &[
     check(6, "hidden", "a card hides what is behind it", 2, whole::hidden),
     check(6, "open", "what leaves an open box is counted", 1, whole::open),
 ];
-
-/// A random number in `[low, high)`.
-fn uniform(stream: &mut Stream, low: f64, high: f64) -> f64 {
-    low + (high - low) * stream.next()
-}
-
-/// A random whole number in `low..high`.
-fn whole_number(stream: &mut Stream, low: usize, high: usize) -> usize {
-    uniform(stream, low as f64, high as f64) as usize
-}
 
 /// Are the tables as long as a hemicube of `n` cells needs them?
 fn sized(weights: &Weights, n: usize) -> Result<(), Verdict> {

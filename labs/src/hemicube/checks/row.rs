@@ -1,7 +1,7 @@
 //! Tasks 4 and 5: the row of form factors, and the factors that shooting needs.
 
-use super::{uniform, whole_number};
 use crate::check::{Suspect, Verdict, Within, compare};
+use crate::draw::{uniform, whole_number};
 use crate::hemicube::Work;
 use crate::hemicube::bugs::*;
 use crate::hemicube::given::{FACES, Item, Weights, cells};

@@ -7,8 +7,9 @@
 //! The tolerances are half as large again: cells weighed at their centre and cells
 //! weighed exactly both pass.
 
-use super::{sized, uniform, whole_number};
+use super::sized;
 use crate::check::{Bug, Suspect, Verdict, Within, compare};
+use crate::draw::{uniform, whole_number};
 use crate::hemicube::Work;
 use crate::hemicube::bugs::*;
 use crate::hemicube::given::{Weights, exact_side, exact_top, table, through};

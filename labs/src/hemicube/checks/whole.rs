@@ -1,4 +1,4 @@
-//! Task 6 of lab 1: the student's functions together, against exact form factors.
+//! Task 6: the student's functions together, against exact form factors.
 //!
 //! ```text
 //! |F̂ − F| ≤ L e / (2π) + e² F      L the outline's length on the hemicube, e the edge
@@ -7,8 +7,9 @@
 //! given to the wrong element, and no place of the hemicube weighs more than 1/π per
 //! area (the middle of the top). The second term is that of the weights.
 
-use super::{sized, uniform};
+use super::sized;
 use crate::check::{Verdict, Within, compare};
+use crate::draw::uniform;
 use crate::hemicube::Work;
 use crate::hemicube::bugs::NORMALISED_AWAY;
 use crate::hemicube::given::{StudentHemicube, Weights};

@@ -1,11 +1,10 @@
 //! Played students of task 3.
 
-use super::plays;
 use crate::hemicube::Work;
 use crate::hemicube::answer::WORK;
 use crate::hemicube::bugs::*;
 use crate::hemicube::given::{Fragment, Item};
-use crate::lab::Wrong;
+use crate::lab::{Wrong, plays};
 use crate::run::PANIC;
 
 /// They see the wrong things.

@@ -1,4 +1,4 @@
-//! Played students of lab 1: the answer with one mistake each. `cargo lab ci` proves
+//! Played students of this lab: the answer with one mistake each. `cargo lab ci` proves
 //! that every one is caught and named; `cargo lab run hemicube --wrong NAME` shows what
 //! the student would read. They are written on their own: not by the formulas by which the
 //! checks suspect a mistake.
@@ -8,17 +8,7 @@ mod row;
 mod weigh;
 
 use super::Work;
-use crate::check::Bug;
 use crate::lab::Wrong;
 
 /// All played students, task by task.
 pub const ALL: &[&[Wrong<Work>]] = &[weigh::ALL, buffer::ALL, row::ALL];
-
-const fn plays(
-    name: &'static str,
-    thought: &'static str,
-    named: &'static [Bug],
-    work: Work,
-) -> Wrong<Work> {
-    Wrong { name, thought, named, work }
-}

@@ -1,11 +1,10 @@
 //! Played students of tasks 4 and 5.
 
-use super::plays;
 use crate::hemicube::Work;
 use crate::hemicube::answer::WORK;
 use crate::hemicube::bugs::*;
 use crate::hemicube::given::{FACES, Item, Weights};
-use crate::lab::Wrong;
+use crate::lab::{Wrong, plays};
 use crate::run::{CRASH, ENDLESS, FLOOD};
 use radiosity::form_factor::Lost;
 

@@ -1,11 +1,10 @@
 //! Played students of tasks 1 and 2.
 
-use super::plays;
 use crate::hemicube::Work;
 use crate::hemicube::answer::{WORK, side_factor, top_factor};
 use crate::hemicube::bugs::*;
 use crate::hemicube::given::{Weights, table};
-use crate::lab::Wrong;
+use crate::lab::{Wrong, plays};
 use std::f64::consts::PI;
 
 /// The answer, but with cells weighed in another way.

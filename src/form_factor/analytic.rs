@@ -12,7 +12,8 @@
 //! | one blocker hides all | 0                                                           |
 //! | partly hidden         | the visible part of each point, halving until it settles    |
 //!
-//! One number serves both directions of a pair, so reciprocity holds to rounding.
+//! In a matrix one number serves both directions of a pair, so reciprocity holds to
+//! rounding; rows that are asked for one by one agree within the tolerance.
 //!
 //! **Use it when** a factor must be right, or the scene has few blockers.
 //! **It fails when** the scene has thousands of blockers in each shaft: then it is slow.
@@ -92,8 +93,9 @@ fn exchange_of_facing(i: &Polygon, j: &Polygon, tolerance: f64) -> f64 {
     let (small, large) = by_size(i, j);
     let middle = small.centroid();
     let factor = lambert_polygon(middle, small.normal(), large);
-    let relative = (tolerance / factor.max(tolerance)).max(1e-14);
     let (size, gap) = (small.diameter(), distance_at_least(small, middle, large));
+    let most = (large.area() / (PI * gap * gap)).min(1.0); // cosines of 1, or all of it
+    let relative = (tolerance / most.max(tolerance)).max(1e-14);
     match points_for(relative, size, gap) {
         Some(1) => small.area() * factor,
         Some(n) => over(small, n, |x| lambert_polygon(x, small.normal(), large)),

@@ -1,6 +1,7 @@
 //! What several tests share: the accuracy tables under `tests/data/accuracy`.
 #![allow(dead_code, missing_docs)] // each test uses its part
 
+pub mod any;
 pub mod rooms;
 
 use glam::DVec3;

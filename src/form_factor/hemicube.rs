@@ -17,18 +17,18 @@
 //! than a few of its own sizes (the centre speaks for the whole element), and when a
 //! grid of patches beats with the grid of cells.
 //!
-//! **Not here:** drawing ([`crate::raster`]); other shapes than the half cube. Chapter
+//! **Not here:** drawing ([`crate::raster`]); other shapes ([`super::pictures`]); pairs
+//! for which it fails, done otherwise ([`super::hybrid`]). Chapter
 //! *The hemicube* (L10). Sources: Cohen & Greenberg 1985; Baum, Rushmeier & Winget 1989
 //! (where it fails).
 
+use super::painter::{self, Painter};
 use super::{FormFactors, Lost};
-use crate::geometry::Frame;
+use crate::geometry::{Frame, bounds};
 use crate::mesh::{ElementId, Mesh, PatchId};
-use crate::random::Stream;
-use crate::raster::{ItemBuffer, Seen, View};
+use crate::raster::{ItemBuffer, MAX_SIZE, View};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
-use std::sync::Mutex;
 
 /// One of the five faces of a hemicube. `x`, `y`, `z` are the axes of its [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,6 +147,47 @@ impl Weights {
     }
 }
 
+// ANCHOR: budget
+/// The relative error, root mean square over places, with which a hemicube of this
+/// `resolution` finds an element of apparent `size`: side over distance, facing the eye,
+/// turned at random.
+///
+/// ```text
+/// error ≈ 0.45 k^(−3/2)          k = size · resolution/2 cells along its side
+/// ```
+/// The element has `k²` cells, of which about `4k` are cut by its outline. Each of these
+/// counts wholly or not at all: off by about a third of a cell, at random. A share
+/// `√(4k)/(3k²)` of the element, less some luck.
+///
+/// # Accuracy
+/// Within a quarter from a third of a cell to thirty (`tests/pictures.rs`). An element
+/// whose sides run along the cells is off by up to `1/k`: that is what
+/// [`Hemicube::turned`] is for.
+pub fn aliasing_error(resolution: u32, size: f64) -> f64 {
+    0.45 * (0.5 * size * f64::from(resolution)).powf(-1.5)
+}
+
+/// The least resolution that finds an element of apparent `size` with this relative `error`
+/// (positive): [`aliasing_error`] solved for the resolution, and rounded up to an even
+/// number; [`MAX_SIZE`] when even that would not do.
+///
+/// For a mesh, ask for its [`smallest_apparent_size`].
+pub fn resolution_for(error: f64, size: f64) -> u32 {
+    let cells = (0.45 / error).powf(2.0 / 3.0);
+    let pairs = (cells / size).ceil(); // 2k/size, halved
+    if pairs < f64::from(MAX_SIZE / 2) { 2 * (pairs as u32).max(1) } else { MAX_SIZE }
+}
+// ANCHOR_END: budget
+
+/// A lower bound of how large an element of `mesh` looks from another that it faces: the
+/// root of the smallest area over the diagonal of all. Dimensionless; 0 without elements.
+pub fn smallest_apparent_size(mesh: &Mesh) -> f64 {
+    let (low, high) =
+        bounds(mesh.polygons().flat_map(|p| p.vertices().iter().copied()));
+    let least = mesh.polygons().map(|p| p.area()).fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least.sqrt() / low.distance(high) } else { 0.0 }
+}
+
 /// Form factors by hemicubes at the centres of the elements.
 ///
 /// # Accuracy
@@ -155,12 +196,9 @@ impl Weights {
 /// repaired.
 #[derive(Debug)]
 pub struct Hemicube<'m> {
-    mesh: &'m Mesh,
+    painter: Painter<'m>,
     resolution: u32,
     weights: Weights,
-    turned: Option<u64>,
-    /// One buffer for each thread that has been at work.
-    buffers: Mutex<Vec<ItemBuffer>>,
 }
 
 impl<'m> Hemicube<'m> {
@@ -181,14 +219,14 @@ impl<'m> Hemicube<'m> {
     }
 
     fn with_weights(mesh: &'m Mesh, resolution: u32, weights: Weights) -> Hemicube<'m> {
-        Hemicube { mesh, resolution, weights, turned: None, buffers: Mutex::default() }
+        Hemicube { painter: Painter::new(mesh), resolution, weights }
     }
 
     /// Turns each hemicube about its normal by an angle of its own, drawn from `seed`.
     ///
     /// Cells then no longer beat with rows of small patches: streaks become noise.
     pub fn turned(mut self, seed: u64) -> Hemicube<'m> {
-        self.turned = Some(seed);
+        self.painter.turned = Some(seed);
         self
     }
 
@@ -223,12 +261,7 @@ impl<'m> Hemicube<'m> {
 
     /// The frame of the hemicube at `point`.
     pub fn frame(&self, point: DVec3, normal: DVec3) -> Frame {
-        let frame = Frame::about(normal);
-        let Some(seed) = self.turned else { return frame };
-        let name = point.to_array().map(f64::to_bits);
-        let angle = TAU * Stream::named(seed, &name).next();
-        let x = frame.x * angle.cos() + frame.y * angle.sin();
-        Frame { x, y: normal.cross(x), z: normal }
+        self.painter.frame(point, normal)
     }
 
     fn gather(
@@ -238,27 +271,16 @@ impl<'m> Hemicube<'m> {
         own: Option<PatchId>,
         row: &mut [f64],
     ) -> Lost {
-        debug_assert_eq!(row.len(), self.mesh.elements.len(), "one factor per element");
+        debug_assert_eq!(row.len(), self.len(), "one factor per element");
         row.fill(0.0);
         let mut lost = Lost::default();
-        // ANCHOR: gather
         self.draw(point, &self.frame(point, normal), own, |face, cells| {
-            let weights = self.weights.of(face);
-            for (seen, first, end) in cells.runs() {
-                let share: f64 = weights[first..end].iter().sum();
-                match seen {
-                    Seen::Front(element) => row[element as usize] += share,
-                    Seen::Back(_) => lost.absorbed += share,
-                    Seen::Nothing => lost.escaped += share,
-                }
-            }
+            painter::gather(cells, self.weights.of(face), row, &mut lost);
         });
-        // ANCHOR_END: gather
         lost
     }
 
-    /// Draws the elements through the five faces, but for those of patch `own`: a flat
-    /// patch does not see itself.
+    /// Draws the elements through the five faces, but for those of patch `own`.
     fn draw(
         &self,
         eye: DVec3,
@@ -266,34 +288,26 @@ impl<'m> Hemicube<'m> {
         own: Option<PatchId>,
         mut show: impl FnMut(Face, &ItemBuffer),
     ) {
-        let spare = self.buffers.lock().ok().and_then(|mut spare| spare.pop());
-        let mut buffer = spare.unwrap_or_else(|| ItemBuffer::new(1, 1));
-        // ANCHOR: faces
-        for face in Face::ALL {
-            let (width, height) = face.size(self.resolution);
-            buffer.reset(width, height);
-            let view = face.view(eye, frame);
-            for (id, element) in self.mesh.elements.iter().enumerate() {
-                if Some(element.patch) != own {
-                    buffer.draw(&view, &element.polygon, id as u32);
-                }
+        self.painter.with_buffer(|buffer| {
+            // ANCHOR: faces
+            for face in Face::ALL {
+                let (width, height) = face.size(self.resolution);
+                buffer.reset(width, height);
+                self.painter.paint(&face.view(eye, frame), own, buffer);
+                show(face, buffer);
             }
-            show(face, &buffer);
-        }
-        // ANCHOR_END: faces
-        if let Ok(mut spare) = self.buffers.lock() {
-            spare.push(buffer);
-        }
+            // ANCHOR_END: faces
+        });
     }
 }
 
 impl FormFactors for Hemicube<'_> {
     fn len(&self) -> usize {
-        self.mesh.elements.len()
+        self.painter.mesh.elements.len()
     }
 
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
-        let element = &self.mesh.elements[from.0 as usize];
+        let element = self.painter.mesh.element(from);
         let polygon = &element.polygon;
         self.gather(polygon.centroid(), polygon.normal(), Some(element.patch), row)
     }

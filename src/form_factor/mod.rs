@@ -23,6 +23,8 @@ mod contour;
 pub mod hemicube;
 mod matrix;
 pub mod named;
+mod painter;
+pub mod pictures;
 mod quadrature;
 pub mod shortcuts;
 mod visible;

@@ -4,6 +4,8 @@
 pub mod any;
 pub mod rooms;
 
+pub mod shapes;
+
 use glam::DVec3;
 use radiosity::geometry::Polygon;
 use serde_json::Value;

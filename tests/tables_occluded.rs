@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::any::squares_with_screen;
 use common::rooms::black;
 use common::{cases, pieces, within};
 use radiosity::form_factor::analytic::Analytic;
@@ -70,6 +71,25 @@ fn exact_visibility() {
             "{id}: {got}, not {expected}: off by {:e}",
             got / expected - 1.0
         );
+    }
+}
+
+/// Unit squares one apart, a screen half-way over some of them. It hides exactly the pairs
+/// whose midpoint it holds; reflections of the square permute those sets, hence ¾ and ½.
+#[test]
+fn half_hidden_by_symmetry() {
+    const F: f64 = 0.199824895698387;
+    for (u, v, expected) in [
+        (0.0..0.5, 0.0..0.5, 0.75 * F),
+        (0.0..0.5, 0.0..1.0, 0.5 * F),
+        (0.0..0.25, 0.0..1.0, 0.170661472747482),
+        (0.0..0.75, 0.0..1.0, 0.029163422950906),
+    ] {
+        let scene = black(squares_with_screen(u.clone(), v));
+        let mesh = Mesh::whole(&scene);
+        let method = Analytic::new(&scene, &mesh, 1e-7, 0);
+        let got = method.exchange(ElementId(0), ElementId(1));
+        assert!((got - expected).abs() < 1e-7, "{u:?}: {got}, not {expected}");
     }
 }
 

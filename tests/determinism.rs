@@ -1,0 +1,73 @@
+//! The same bytes on one thread and on two: for every kind of factors, both solvers, the
+//! certificate, and the picture.
+
+use radiosity::film::Shot;
+use radiosity::geometry::Rgb;
+use radiosity::mesh::Mesh;
+use radiosity::scene::{Scene, built_in};
+use radiosity::solve::{Factors, Method, Options, Solution, solve, solve_on};
+
+/// Runs `work` in a pool of this many threads.
+fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
+}
+
+fn bits(values: &[Rgb]) -> Vec<u64> {
+    values.iter().flat_map(|v| v.to_array()).map(f64::to_bits).collect()
+}
+
+/// All numbers of a solution, and its picture.
+fn everything(scene: &Scene, solution: &Solution) -> (Vec<u64>, Vec<u8>) {
+    let ledger = solution.ledger;
+    let sums = [ledger.absorbed, ledger.escaped, ledger.unshot, ledger.imbalance];
+    let mut all = bits(&solution.radiosity);
+    all.extend(bits(&solution.irradiance));
+    all.extend(bits(&solution.displayed));
+    all.extend(bits(&sums));
+    let certificate = solution.certificate;
+    let numbers = [certificate.error, certificate.low, certificate.high];
+    all.extend(numbers.map(f64::to_bits));
+    all.push(solution.steps as u64);
+    let shot = Shot { camera: scene.camera, width: 40, height: 40, samples: 2 };
+    let picture = shot.smooth(&solution.mesh, &solution.vertex_radiosity);
+    (all, picture.display(1.0).into_raw())
+}
+
+#[test]
+fn one_thread_and_two_give_the_same_bytes() {
+    let scene = built_in("cornell-regular").unwrap();
+    for factors in [Factors::Analytic, Factors::Sampling(64), Factors::Hemicube(32)] {
+        for method in [Method::Gather, Method::Shoot] {
+            let options = Options { factors, method, ..Options::default() };
+            let run = || {
+                let mesh = Mesh::uniform(&scene, 2.0);
+                everything(&scene, &solve_on(&scene, mesh, &options, &|_, _, _| {}))
+            };
+            let (one, two) = (on_threads(1, run), on_threads(2, run));
+            assert!(one == two, "{factors:?} {method:?}");
+            assert!(one == on_threads(2, run), "{factors:?} {method:?}, again");
+        }
+    }
+}
+
+/// Refinement asks the certificate, which is sampled: it must choose the same meshes.
+#[test]
+fn refinement_takes_the_same_way() {
+    let scene = built_in("facing-squares").unwrap();
+    let options = Options { tolerance: 0.05, most_elements: 500, ..Options::default() };
+    let run = || everything(&scene, &solve(&scene, &options, &|_, _, _| {}));
+    assert!(on_threads(1, run) == on_threads(2, run));
+}
+
+/// A seed names the random numbers: another one gives others, the same one the same.
+#[test]
+fn a_seed_names_the_run() {
+    let scene = built_in("cornell-regular").unwrap();
+    let run = |seed| {
+        let factors = Factors::Sampling(64);
+        let options = Options { factors, seed, ..Options::default() };
+        let mesh = Mesh::uniform(&scene, 2.0);
+        bits(&solve_on(&scene, mesh, &options, &|_, _, _| {}).radiosity)
+    };
+    assert!(run(1) == run(1) && run(1) != run(2));
+}

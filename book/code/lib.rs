@@ -34,6 +34,7 @@ mod pages {
         index: "index.md",
         hemicube: "hemicube.md",
         labs_solid_angle: "labs/solid-angle.md",
+        labs_radiometry: "labs/radiometry.md",
         labs_hemicube: "labs/hemicube.md",
         notation: "notation.md",
         bibliography: "bibliography.md",

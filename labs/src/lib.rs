@@ -30,10 +30,11 @@ pub mod run;
 pub mod show;
 pub mod proof;
 pub mod solid_angle;
+pub mod radiometry;
 pub mod hemicube;
 
 pub use check::{Bug, Verdict};
 pub use lab::{Lab, Who};
 
 /// All labs, in the order of the course. A new lab is one more line.
-pub const LABS: &[&Lab] = &[&solid_angle::LAB, &hemicube::LAB];
+pub const LABS: &[&Lab] = &[&solid_angle::LAB, &radiometry::LAB, &hemicube::LAB];

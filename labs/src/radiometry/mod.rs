@@ -39,8 +39,8 @@ pub struct Work {
     pub from_surface: fn(radiance: f64, area: f64, source: Spot, receiver: Spot) -> f64,
     // ANCHOR_END: task2
     // ANCHOR: task3
-    /// 3. The irradiance from all directions above a surface, by `rings` rings; its normal
-    ///    is z, and `sky` gives the radiance from a direction of unit length.
+    /// 3. The irradiance from all directions above a surface, by so many rings; its
+    ///    normal is z, and `sky` gives the radiance from a direction of unit length.
     pub from_sky: fn(sky: &dyn Fn(DVec3) -> f64, rings: usize) -> f64,
     // ANCHOR_END: task3
     // ANCHOR: task4

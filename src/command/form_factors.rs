@@ -32,7 +32,7 @@ pub struct FormFactors {
     method: FactorMethod,
     /// The absolute error of a factor that is aimed at, as 1e-4 or 0.01%
     #[arg(long, default_value = "1e-4", value_parser = values::tolerance)]
-    #[arg(allow_negative_numbers = true)]
+    #[arg(allow_hyphen_values = true)]
     tolerance: f64,
     /// Rays from each face, with `--method sampling` [default: as the tolerance needs]
     #[arg(long, value_name = "N")]

@@ -56,7 +56,7 @@ pub struct Render {
     view: What,
     /// The largest relative error of the field asked for, as 0.01 or 1%
     #[arg(long, default_value = "5%", value_parser = values::tolerance)]
-    #[arg(allow_negative_numbers = true)]
+    #[arg(allow_hyphen_values = true)]
     tolerance: f64,
 }
 

@@ -32,7 +32,7 @@ pub struct Solve {
 pub struct How {
     /// The largest relative error of the field asked for, as 0.01 or 1%
     #[arg(long, default_value = "1%", value_parser = values::tolerance)]
-    #[arg(allow_negative_numbers = true)]
+    #[arg(allow_hyphen_values = true)]
     pub tolerance: f64,
     /// How form factors are computed
     #[arg(long, value_enum, default_value_t = FactorMethod::Hemicube)]

@@ -1,0 +1,115 @@
+//! What is said on standard output and standard error.
+
+use super::Folder;
+use std::process::Stdio;
+
+/// The keys of the contract, in its order.
+const SOLVED: [&str; 9] = [
+    "elements",
+    "patches",
+    "seconds",
+    "tolerance",
+    "converged",
+    "solver_residual",
+    "certificate",
+    "ledger",
+    "plan",
+];
+
+#[test]
+fn solve_answers_other_programs_with_one_object() {
+    let folder = Folder::new();
+    let answer =
+        folder.run("solve facing-squares -o x.csv --json --tolerance 4%").done();
+    assert_eq!(answer.err, "");
+    let json = answer.json();
+    assert_eq!(json.keys().collect::<Vec<_>>(), SOLVED);
+    assert_eq!(
+        (&json["tolerance"], &json["plan"]),
+        (&0.04.into(), &Vec::<u8>::new().into())
+    );
+    assert_eq!((&json["patches"], &json["converged"]), (&2.into(), &true.into()));
+    let certificate = json["certificate"].as_object().unwrap();
+    assert_eq!(
+        certificate.keys().collect::<Vec<_>>(),
+        ["error", "low", "high", "confidence"]
+    );
+    let of = |key: &str| certificate[key].as_f64().expect("a number");
+    assert!(of("low") <= of("error") && of("error") <= of("high"), "{certificate:?}");
+    let ledger = json["ledger"].as_object().unwrap();
+    let entries = ["emitted", "absorbed", "escaped", "unshot", "imbalance"];
+    assert_eq!(ledger.keys().collect::<Vec<_>>(), entries);
+    let rgb = |key: &str, k: usize| ledger[key][k].as_f64().expect("a number");
+    for k in 0..3 {
+        let spent: f64 = entries[1..].iter().map(|key| rgb(key, k)).sum();
+        assert!((rgb("emitted", k) - spent).abs() < 1e-9, "{ledger:?}");
+        assert!((rgb("emitted", k) - 1.0).abs() < 1e-12, "{ledger:?}");
+    }
+}
+
+#[test]
+fn a_tolerance_out_of_reach_is_a_value_not_an_error() {
+    let folder = Folder::new();
+    let json = folder.run("solve facing-squares --json --tolerance 1e-6").done().json();
+    assert_eq!(json["converged"], false);
+}
+
+#[test]
+fn render_and_form_factors_answer_with_one_object_too() {
+    let folder = Folder::new();
+    let json = folder.run("render furnace -o x.png --size 16x16 --json").done().json();
+    assert_eq!(json.keys().take(9).collect::<Vec<_>>(), SOLVED);
+    assert!(json["exposure"].as_f64() > Some(0.0) && json["clamped"].is_number());
+    let json = folder.run("form-factors furnace --json").done().json();
+    let keys =
+        ["n", "seconds", "open", "closure_max", "reciprocity_max", "error_estimate"];
+    assert_eq!(json.keys().collect::<Vec<_>>(), keys);
+}
+
+#[test]
+fn people_get_the_ledger_and_the_certificate() {
+    let folder = Folder::new();
+    let answer = folder.run("render furnace -o x.png --size 16x16").done();
+    for words in ["imbalance", "unshot", "reflected light", "clamped", "x.png"] {
+        assert!(answer.out.contains(words), "{words}: {}", answer.out);
+    }
+    assert_eq!(answer.err, "");
+    let quiet = folder.run("render furnace -o x.png --size 16x16 --quiet").done();
+    assert_eq!((quiet.out.as_str(), quiet.err.as_str()), ("", ""));
+}
+
+#[test]
+fn no_argument_draws_the_cornell_box() {
+    let folder = Folder::new();
+    let answer = folder.run("").done();
+    assert!(answer.out.starts_with("cornell: "), "{}", answer.out);
+    assert_eq!(folder.names(), ["out"]);
+    let picture = image::open(folder.path().join("out/cornell.png")).expect("a PNG");
+    let at = |x, y| picture.to_rgb8().get_pixel(x, y).0;
+    let ([r, g, _], [s, h, _]) = (at(40, 200), at(470, 200));
+    assert!(r > 3 * g.max(1) && h > s, "red left, green right: {r} {g}, {s} {h}");
+}
+
+#[test]
+fn every_verb_explains_itself_with_examples() {
+    let folder = Folder::new();
+    for verb in ["", "scenes", "solve", "form-factors", "render"] {
+        let help = folder.run(&format!("{verb} --help")).done().out;
+        assert!(help.contains("Examples:") && help.contains("--json"), "{help}");
+    }
+}
+
+/// `radiosity scenes | head -1`: the reader goes, and that is no failure.
+#[test]
+fn a_reader_that_leaves_early_is_no_failure() {
+    let folder = Folder::new();
+    for arguments in ["scenes", "scenes --json", "--help", "form-factors furnace"] {
+        let mut command = folder.command(arguments);
+        let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().expect("the command runs");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("an end");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && said.is_empty(), "{arguments}: {said}");
+    }
+}

@@ -1,0 +1,222 @@
+//! What cannot be done is refused in one sentence, and nothing is written.
+
+use super::{Answer, Folder};
+
+const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+/// A scene whose lamp `extra` statements follow.
+fn lit(extra: &str) -> String {
+    format!("mtllib a.mtl\n{SQUARE}usemtl lamp\nf 1 2 3 4\n{extra}")
+}
+
+const LAMP: &str = "newmtl lamp\nKe 1 1 1\n";
+
+/// `arguments` must be refused with exit code 1 and one line that holds all of `words`;
+/// an older output file stays as it is.
+fn refused(folder: &Folder, arguments: &str, words: &[&str]) {
+    let outputs = ["old.csv", "old.png", "old.npy"];
+    outputs.iter().for_each(|name| folder.write(name, "as it was"));
+    let before = folder.names();
+    let Answer { code, out, err } = folder.run(arguments);
+    let seen = format!("radiosity {arguments}: {code:?}\n{out}\n{err}");
+    assert_eq!(code, Some(1), "{seen}");
+    assert_eq!(out, "", "{seen}");
+    assert_eq!(err.lines().count(), 1, "{seen}");
+    assert!(err.starts_with("error: ") && !err.contains("panicked"), "{seen}");
+    assert!(words.iter().all(|word| err.contains(word)), "{words:?} in {seen}");
+    assert_eq!(folder.names(), before, "{seen}");
+    outputs
+        .iter()
+        .for_each(|name| assert_eq!(folder.text(name), "as it was", "{seen}"));
+}
+
+/// A file that no verb takes.
+fn bad_file(obj: impl AsRef<[u8]>, mtl: &str, words: &[&str]) {
+    let folder = Folder::new();
+    folder.write("a.obj", obj);
+    folder.write("a.mtl", mtl);
+    refused(&folder, "solve a.obj -o old.csv", words);
+    refused(&folder, "render a.obj -o old.png --json", words);
+    refused(&folder, "form-factors a.obj -o old.npy --quiet", words);
+}
+
+#[test]
+fn a_missing_file() {
+    let folder = Folder::new();
+    refused(&folder, "solve gone.obj -o old.csv", &["gone.obj", "check the path"]);
+    refused(&folder, "render no/room.obj -o old.png", &["no/room.obj"]);
+    refused(&folder, "form-factors gone.obj -o old.npy", &["gone.obj"]);
+}
+
+#[test]
+fn a_name_that_is_no_scene() {
+    let folder = Folder::new();
+    let words = ["`cornel`", "cornell-regular", ".obj"];
+    refused(&folder, "solve cornel -o old.csv", &words);
+    refused(&folder, "solve furnace:1 -o old.csv", &["furnace:1", "[0, 1)"]);
+}
+
+#[test]
+fn a_missing_mtl() {
+    let obj = format!("{SQUARE}mtllib gone.mtl\nusemtl lamp\nf 1 2 3 4\n");
+    bad_file(obj, LAMP, &["gone.mtl"]);
+}
+
+#[test]
+fn a_material_that_is_nowhere() {
+    bad_file(lit("usemtl oak\nf 4 3 2 1\n"), LAMP, &["a.obj, line 8", "`oak`"]);
+}
+
+#[test]
+fn a_corner_that_is_out_of_range() {
+    bad_file(lit("f 1 2 5\n"), LAMP, &["a.obj, line 8", "5"]);
+    bad_file(lit("f 0 1 2\n"), LAMP, &["a.obj, line 8", "0"]);
+}
+
+#[test]
+fn a_coordinate_that_is_no_number() {
+    for value in ["NaN", "inf", "-inf", "1e999", "one"] {
+        bad_file(lit(&format!("v 0 {value} 2\n")), LAMP, &["a.obj, line 8", value]);
+    }
+}
+
+#[test]
+fn a_face_without_area() {
+    bad_file(lit("v 2 0 0\nf 1 2 5\n"), LAMP, &["a.obj, line 9", "f 1 2 5"]);
+}
+
+#[test]
+fn a_face_that_crosses_itself() {
+    bad_file(lit("f 1 3 2 4\n"), LAMP, &["a.obj, line 8", "f 1 3 2 4"]);
+}
+
+#[test]
+fn a_material_that_makes_light_of_nothing() {
+    let kd = format!("{LAMP}newmtl snow\nKd 0.5 1.2 0.5\n");
+    bad_file(lit("usemtl snow\nf 4 3 2 1\n"), &kd, &["a.mtl", "`snow`", "lower Kd"]);
+    let sum = format!("{LAMP}newmtl wax\nKd 0.7 0.7 0.7\nKs 0.1 0.4 0.1\n");
+    bad_file(lit("usemtl wax\nf 4 3 2 1\n"), &sum, &["a.mtl", "`wax`", "Kd + Ks"]);
+}
+
+#[test]
+fn a_scene_without_emitter_has_form_factors_but_no_light() {
+    let folder = Folder::new();
+    folder.write("dark.obj", format!("{SQUARE}f 1 2 3 4\n"));
+    let words = ["dark", "Ke"];
+    refused(&folder, "solve dark.obj -o old.csv --quiet", &words);
+    refused(&folder, "render dark.obj -o old.png --quiet", &words);
+    folder.run("form-factors dark.obj -o F.csv").done();
+    assert_eq!(folder.text("F.csv"), "i,j,F\n");
+}
+
+#[test]
+fn an_empty_file() {
+    bad_file("", LAMP, &["a.obj"]);
+    bad_file("# nothing\n", LAMP, &["a.obj"]);
+}
+
+#[test]
+fn binary_garbage() {
+    let noise: Vec<u8> = (0..4000u32).map(|k| ((k * k * 31) >> 3) as u8).collect();
+    bad_file(noise, LAMP, &["a.obj"]);
+    bad_file(lit(""), "\0\u{1}\u{2}newmtl", &["a.mtl"]);
+}
+
+#[test]
+fn an_absurd_size() {
+    let folder = Folder::new();
+    for size in
+        ["0x0", "0x512", "512x0", "16385x2", "16384x16384", "99999999999999999999x1"]
+    {
+        let arguments = format!("render cornell -o old.png --size {size}");
+        refused(&folder, &arguments, &["--size"]);
+    }
+}
+
+#[test]
+fn numbers_with_which_nothing_can_be_done() {
+    let folder = Folder::new();
+    for (verb, option, values) in [
+        ("solve furnace -o old.csv", "--tolerance", "0 -1 -5% nan inf"),
+        ("render furnace -o old.png", "--tolerance", "0 nan"),
+        ("form-factors furnace -o old.npy", "--tolerance", "0 -1 nan"),
+        ("render furnace -o old.png", "--exposure", "0 -2 nan inf"),
+        ("render furnace -o old.png", "--fov", "0 -10 180 nan"),
+        ("render furnace -o old.png", "--eye", "nan,0,0 0,inf,0 0.5,0.5,0.5"),
+        ("render furnace -o old.png", "--up", "0,0,0 nan,1,0"),
+        ("solve furnace -o old.csv", "--up", "0,0,0"),
+        ("solve furnace -o old.csv", "--threads", "0 1000000"),
+        ("solve furnace -o old.csv --form-factors sampling", "--samples", "0"),
+        ("solve furnace -o old.csv", "--samples", "100"),
+        ("form-factors furnace -o old.npy --method sampling", "--samples", "0"),
+    ] {
+        for value in values.split(' ') {
+            refused(&folder, &format!("{verb} {option} {value}"), &[option]);
+        }
+    }
+    let along = "render furnace -o old.png --eye 0.5,0.9,0.5 --target 0.5,0,0.5";
+    refused(&folder, along, &["--up"]);
+}
+
+#[test]
+fn a_file_that_cannot_be_written() {
+    let folder = Folder::new();
+    let gone = "gone/x.csv";
+    refused(&folder, "solve furnace -o gone/x.csv", &[gone, "no folder gone"]);
+    refused(&folder, "solve furnace -o x.txt", &["x.txt", ".csv, .ply or .json"]);
+    refused(&folder, "solve furnace -o csv", &["csv"]);
+    refused(&folder, "render furnace -o x.jpg", &["x.jpg", ".png, .hdr or .exr"]);
+    refused(&folder, "form-factors furnace -o x.mat", &["x.mat", ".npy or .csv"]);
+    refused(&folder, "render furnace -o x.exr --view mesh", &["x.exr", ".png"]);
+    refused(&folder, "scenes --export old.csv", &["old.csv"]);
+    std::fs::create_dir(folder.path().join("d.csv")).unwrap();
+    refused(&folder, "solve furnace -o d.csv", &["d.csv", "folder"]);
+}
+
+#[test]
+fn what_is_not_understood_ends_with_2() {
+    let folder = Folder::new();
+    for arguments in [
+        "fly",
+        "solve",
+        "render furnace",
+        "solve furnace -o x.csv --tolerance much",
+        "solve furnace -o x.csv --method hierarchy",
+        "solve furnace -o x.csv --form-factors auto",
+        "solve furnace -o x.csv --threads -1",
+        "solve furnace -o x.csv --seed 0.5",
+        "render furnace -o x.png --size big",
+        "render furnace -o x.png --size 10",
+        "render furnace -o x.png --size -5x5",
+        "render furnace -o x.png --eye 1,2",
+        "render furnace -o x.png --exposure bright",
+        "render furnace -o x.png --method two-pass",
+        "render furnace -o x.png --view error",
+        "solve furnace -o x.csv --sky uniform:1,1,1",
+    ] {
+        let Answer { code, out, err } = folder.run(arguments);
+        assert_eq!(code, Some(2), "{arguments}: {err}");
+        assert!(out.is_empty() && !err.contains("panicked"), "{arguments}: {out}{err}");
+    }
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn faces_that_are_not_planar_or_not_convex_are_split_with_a_warning() {
+    let folder = Folder::new();
+    folder.write("a.mtl", LAMP);
+    folder.write(
+        "a.obj",
+        lit("v 0 0 2\nv 1 0 2\nv 1 1 2.2\nv 0 1 2\nf 8 7 6 5\n\
+             v 3 0 0\nv 5 0 0\nv 5 2 0\nv 4 0.5 0\nf 9 10 11 12\n"),
+    );
+    let answer = folder.run("solve a.obj -o a.csv --tolerance 10").done();
+    let split = |line: usize| {
+        let start = format!("warning: a.obj, line {line}: ");
+        answer.err.lines().any(|l| l.starts_with(&start) && l.contains("split"))
+    };
+    assert!(split(12) && split(17), "{}", answer.err);
+    assert_eq!(folder.text("a.csv").lines().count(), 4, "one row a face");
+    let quiet = folder.run("solve a.obj -o a.csv --tolerance 10 --quiet").done();
+    assert_eq!((quiet.out.as_str(), quiet.err.as_str()), ("", ""));
+}

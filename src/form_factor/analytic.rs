@@ -152,6 +152,8 @@ pub struct Analytic {
     tolerance: f64,
     /// The same where nothing stands between.
     open_tolerance: f64,
+    /// Are rays cast to count what escapes?
+    losses: bool,
     seed: u64,
 }
 
@@ -169,6 +171,7 @@ impl Analytic {
             surfaces: Visibility::new(scene.surfaces.iter().map(|s| &s.polygon)),
             tolerance,
             open_tolerance: tolerance,
+            losses: true,
             seed,
         }
     }
@@ -177,6 +180,25 @@ impl Analytic {
     /// elements, where that costs little.
     pub fn sharp(self) -> Analytic {
         Analytic { open_tolerance: 1e-3 * self.tolerance, ..self }
+    }
+
+    /// Counts no losses: for factors alone, without an account of the light.
+    pub fn without_losses(self) -> Analytic {
+        Analytic { losses: false, ..self }
+    }
+
+    fn lost(&self, from: ElementId) -> Lost {
+        let i = from.0 as usize;
+        if !self.losses {
+            return Lost::default();
+        }
+        lost_by_rays(
+            &self.surfaces,
+            &self.elements[i],
+            self.patch_of[i],
+            self.seed,
+            from,
+        )
     }
 
     /// `A_i F_ij` past everything that stands between, in scene units squared.
@@ -311,7 +333,7 @@ impl FormFactors for Analytic {
         let element = &self.elements[i];
         row.fill(0.0);
         self.exchanges(i, 0..row.len(), |j, found| row[j] = found / element.area());
-        lost_by_rays(&self.surfaces, element, self.patch_of[i], self.seed, from)
+        self.lost(from)
     }
 
     /// Each pair once, for both directions.
@@ -336,10 +358,9 @@ impl FormFactors for Analytic {
             }
         }
         let finish = |(i, mut row): (usize, Vec<(u32, f64)>)| {
-            let (element, from) = (&self.elements[i], ElementId(i as u32));
+            let element = &self.elements[i];
             row.extend(upper[i].iter().map(|&(j, found)| (j, found / element.area())));
-            let patch = self.patch_of[i];
-            Row::new(row, lost_by_rays(&self.surfaces, element, patch, self.seed, from))
+            Row::new(row, self.lost(ElementId(i as u32)))
         };
         Matrix::from_rows(rows.into_par_iter().enumerate().map(finish).collect())
     }

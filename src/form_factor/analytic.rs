@@ -22,7 +22,7 @@ use super::contour::exchange_by_contour;
 use super::quadrature::{over, points_for};
 use super::visible::lambert_visible;
 use super::{Blocker, Blockers, FormFactors, Lost, Matrix, Row, lost_by_rays};
-use crate::geometry::{Plane, Polygon};
+use crate::geometry::Polygon;
 use crate::mesh::{ElementId, Mesh};
 use crate::radiometry::projected_solid_angle;
 use crate::scene::Scene;
@@ -187,6 +187,16 @@ impl Analytic {
         Analytic { losses: false, ..self }
     }
 
+    /// The outline of an element.
+    pub(super) fn polygon(&self, i: ElementId) -> &Polygon {
+        &self.elements[i.0 as usize]
+    }
+
+    /// What may stand between elements.
+    pub(super) fn blockers(&self) -> &Blockers {
+        &self.blockers
+    }
+
     fn lost(&self, from: ElementId) -> Lost {
         let i = from.0 as usize;
         if !self.losses {
@@ -311,16 +321,7 @@ fn seen_by_corners(from: &Polygon, to: &Polygon, blockers: &[&Blocker]) -> f64 {
 
 /// Cuts a polygon across its middle, twice.
 fn quarters(polygon: &Polygon) -> Vec<Polygon> {
-    let cut = |p: &Polygon| {
-        let longest = p
-            .edges()
-            .max_by(|(a, b), (c, d)| a.distance(*b).total_cmp(&c.distance(*d)))
-            .expect("a polygon has edges");
-        let along = (longest.1 - longest.0).normalize();
-        let plane = Plane::through(p.centroid(), along);
-        [p.clipped(plane), p.clipped(plane.flipped())].into_iter().flatten()
-    };
-    cut(polygon).flat_map(|half| cut(&half).collect::<Vec<_>>()).collect()
+    polygon.halves().flat_map(|half| half.halves().collect::<Vec<_>>()).collect()
 }
 
 impl FormFactors for Analytic {

@@ -18,6 +18,7 @@
 pub mod analytic;
 mod blocker;
 mod blockers;
+mod bounds;
 pub mod cast;
 mod contour;
 pub mod hemicube;

@@ -189,6 +189,17 @@ impl Polygon {
         Polygon::piece(clip(&self.vertices, plane).to_vec(), self.normal)
     }
 
+    /// The two pieces on either side of a cut through the centroid, across the longest
+    /// edge.
+    pub fn halves(&self) -> impl Iterator<Item = Polygon> + use<> {
+        let longer = |e: (DVec3, DVec3), f: (DVec3, DVec3)| {
+            if f.0.distance_squared(f.1) > e.0.distance_squared(e.1) { f } else { e }
+        };
+        let (a, b) = self.edges().reduce(longer).unwrap_or((DVec3::ZERO, DVec3::X));
+        let across = Plane::through(self.centroid(), (b - a).normalize());
+        [self.clipped(across), self.clipped(across.flipped())].into_iter().flatten()
+    }
+
     /// The polygon less what `hole` (in the same plane) covers, as convex pieces.
     pub fn without(&self, hole: &Polygon) -> Vec<Polygon> {
         let mut pieces = Vec::new();

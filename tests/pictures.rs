@@ -187,7 +187,10 @@ fn the_resolution_follows_from_the_budget() {
     for error in [0.3, 0.03, 0.003] {
         for size in [0.01, 0.1, 1.0] {
             let resolution = resolution_for(error, size);
-            assert!(resolution % 2 == 0 && aliasing_error(resolution, size) <= error);
+            assert!(
+                resolution.is_multiple_of(2)
+                    && aliasing_error(resolution, size) <= error
+            );
             let coarser = resolution.saturating_sub(2);
             assert!(coarser == 0 || aliasing_error(coarser, size) > error);
         }

@@ -22,6 +22,7 @@ mod bounds;
 pub mod cast;
 mod contour;
 pub mod hemicube;
+pub mod hybrid;
 mod matrix;
 pub mod named;
 mod painter;

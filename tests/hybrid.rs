@@ -2,7 +2,8 @@
 
 mod common;
 
-use common::shapes::{cube, floor, lid, mesh_of, rectangle, scene_of};
+use common::rooms::{black, rectangle};
+use common::shapes::{cube, floor, lid, mesh_of};
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::hemicube::Hemicube;
@@ -18,7 +19,7 @@ fn broken(
     resolution: u32,
     tolerance: f64,
 ) -> Vec<Option<Assumption>> {
-    let (scene, mesh) = (scene_of(polygons), mesh_of(polygons, 99.0));
+    let (scene, mesh) = (black(polygons.to_vec()), mesh_of(polygons, 99.0));
     let hybrid = Hybrid::new(&scene, &mesh, resolution, tolerance, 1);
     let other = |j: usize| hybrid.broken(ElementId(0), ElementId(j as u32));
     (1..polygons.len()).map(other).collect()
@@ -58,7 +59,7 @@ fn a_cut_element_is_done_exactly() {
     let ground = floor(1.0, DVec3::ZERO);
     let wall = rectangle(dvec3(0.1, -0.5, 2.0), DVec3::Z, DVec3::Y);
     let polygons = [ground, wall.flipped()];
-    let (scene, mesh) = (scene_of(&polygons), mesh_of(&polygons, 99.0));
+    let (scene, mesh) = (black(polygons.to_vec()), mesh_of(&polygons, 99.0));
     let mut row = [0.0; 2];
     let hybrid = Hybrid::new(&scene, &mesh, 64, 1e-3, 1);
     hybrid.row(ElementId(0), &mut row);
@@ -74,18 +75,18 @@ fn a_cut_element_is_done_exactly() {
 /// The closed forms of the unit cube, to rounding: every pair is near.
 #[test]
 fn a_cube_is_exact() {
-    let (scene, mesh) = (scene_of(&cube()), mesh_of(&cube(), 99.0));
+    let (scene, mesh) = (black(cube()), mesh_of(&cube(), 99.0));
     let hybrid = Hybrid::new(&scene, &mesh, 16, 1e-9, 1);
     let mut row = vec![0.0; 6];
     for i in 0..6 {
         hybrid.row(ElementId(i as u32), &mut row);
-        for j in 0..6 {
+        for (j, &factor) in row.iter().enumerate() {
             let expected = match (i, j) {
                 _ if i == j => 0.0,
                 _ if i / 2 == j / 2 => named::parallel_rectangles(1.0, 1.0, 1.0),
                 _ => named::perpendicular_rectangles(1.0, 1.0, 1.0),
             };
-            assert!((row[j] - expected).abs() < 1e-9, "{i} {j}: {}", row[j]);
+            assert!((factor - expected).abs() < 1e-9, "{i} {j}: {factor}");
         }
     }
 }

@@ -2,7 +2,8 @@
 
 mod common;
 
-use common::shapes::{cube, mesh_of, rectangle};
+use common::rooms::rectangle;
+use common::shapes::{cube, mesh_of};
 use glam::{DVec3, dvec2, dvec3};
 use radiosity::form_factor::hemicube::{
     Face, Hemicube, Weights, aliasing_error, resolution_for, smallest_apparent_size,

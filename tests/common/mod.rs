@@ -3,7 +3,6 @@
 
 pub mod any;
 pub mod rooms;
-
 pub mod shapes;
 
 use glam::DVec3;

@@ -58,12 +58,20 @@ impl Axis {
         (v.log10() - f64::from(self.low)) / f64::from(self.high - self.low)
     }
 
-    /// Values of the grid's lines, and whether a whole decade stands there.
+    /// Values of the grid's lines, and whether a whole decade stands there; of many
+    /// decades nothing else.
     fn grid(&self) -> impl Iterator<Item = (f64, bool)> + '_ {
-        let decade = |e| (1..10).map(move |k| (f64::from(k) * 10f64.powi(e), k == 1));
+        let lines = if self.high - self.low > 8 { 2 } else { 10 };
+        let decade =
+            move |e| (1..lines).map(move |k| (f64::from(k) * 10f64.powi(e), k == 1));
         let end = (10f64.powi(self.high), true);
         (self.low..self.high).flat_map(decade).chain([end])
     }
+}
+
+/// A whole decade, in the shorter of two ways.
+fn number(v: f64) -> String {
+    if v < 5e-5 { format!("{v:.0e}") } else { format!("{v}") }
 }
 
 /// The chart of these measurements.
@@ -96,10 +104,10 @@ pub fn svg(title: &str, points: &[Point], across: &str, upward: &str) -> String 
         );
     };
     for (v, _) in x_axis.grid().filter(|(_, whole)| *whole) {
-        text(x(v), bottom + 18.0, "middle", "", &format!("{v}"));
+        text(x(v), bottom + 18.0, "middle", "", &number(v));
     }
     for (v, _) in y_axis.grid().filter(|(_, whole)| *whole) {
-        text(left - 6.0, y(v) + 4.0, "end", "", &format!("{v}"));
+        text(left - 6.0, y(v) + 4.0, "end", "", &number(v));
     }
     text(left + width / 2.0, bottom + 40.0, "middle", "", across);
     let turned = format!(" transform=\"rotate(-90 14 {:.1})\"", top + height / 2.0);

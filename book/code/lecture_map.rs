@@ -53,7 +53,18 @@ pub const ROWS: [Row; 23] = [
         "What radiosity assumes",
         false,
     ),
-    planned("solid angle", "Solid angle", true),
+    Row {
+        topic: "solid angle",
+        title: "Solid angle",
+        lab: true,
+        state: State::Done(Written {
+            page: "solid-angle.md",
+            module: "src/radiometry/solid_angle.rs",
+            figure: "pictures/solid-angle-view.snap.png",
+            test: ("tests/tables_solid_angle.rs", "triangles"),
+            lab: Some("labs/solid-angle.md"),
+        }),
+    },
     planned(
         "radiometry: flux, irradiance, radiosity, radiance, and how they convert",
         "Radiometry",

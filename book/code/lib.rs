@@ -8,6 +8,8 @@
 //! | [`generated`]   | the files of `book/src` that a program writes                |
 //! | [`chart`]       | speed against accuracy, as SVG                               |
 //! | [`cornell`]     | the picture on the first page                                |
+//! | [`map`]         | a number for each pixel, in false colour                     |
+//! | [`light`]       | figures and numbers of the chapters L01 to L03               |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //!
 //! `cargo test -p book` runs the gates over the sources and every example of every page;
@@ -20,6 +22,8 @@ pub mod generated;
 pub mod hemicube;
 pub mod html;
 pub mod lecture_map;
+pub mod light;
+pub mod map;
 pub mod source;
 
 /// Every page of the book, so that `cargo test` runs its examples.
@@ -32,6 +36,7 @@ mod pages {
     }
     pages! {
         index: "index.md",
+        solid_angle: "solid-angle.md",
         hemicube: "hemicube.md",
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",

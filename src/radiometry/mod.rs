@@ -39,22 +39,28 @@ use std::f64::consts::PI;
 /// Flux, W, of a surface of `area`, m², that sends `radiosity`, W/m²: `Φ = A B`.
 ///
 /// Just so, the flux that falls on it is its area times its irradiance.
+// ANCHOR: flux
 pub fn flux(radiosity: Rgb, area: f64) -> Rgb {
     radiosity * area
 }
+// ANCHOR_END: flux
 
 /// Radiosity, W/m², from the `flux`, W, that leaves `area`, m² (positive): `B = Φ/A`.
 ///
 /// Just so, irradiance is the flux that arrives, divided by the area.
+// ANCHOR: radiosity_from_flux
 pub fn radiosity_from_flux(flux: Rgb, area: f64) -> Rgb {
     debug_assert!(area > 0.0, "area must be positive: {area}");
     flux / area
 }
+// ANCHOR_END: radiosity_from_flux
 
 /// Radiance of a diffuse surface, W/(m² sr), from its radiosity, W/m²: `L = B/π`.
+// ANCHOR: radiance_from_radiosity
 pub fn radiance_from_radiosity(radiosity: Rgb) -> Rgb {
     radiosity / PI
 }
+// ANCHOR_END: radiance_from_radiosity
 
 /// Radiosity of a diffuse surface, W/m², from its radiance, W/(m² sr): `B = π L`.
 pub fn radiosity_from_radiance(radiance: Rgb) -> Rgb {
@@ -63,15 +69,19 @@ pub fn radiosity_from_radiance(radiance: Rgb) -> Rgb {
 
 /// Irradiance, W/m², from what has one `radiance`, W/(m² sr), all over its `projected`
 /// solid angle, sr, `[0, π]`: `H = L Ω⊥`.
+// ANCHOR: irradiance
 pub fn irradiance(radiance: Rgb, projected: f64) -> Rgb {
     radiance * projected
 }
+// ANCHOR_END: irradiance
 
 /// Radiosity, W/m², that a surface of this diffuse `reflectance`, in `[0, 1]`, makes of
 /// `irradiance`, W/m²: `B = ρ H`, channel by channel.
+// ANCHOR: reflected
 pub fn reflected(irradiance: Rgb, reflectance: Rgb) -> Rgb {
     irradiance * reflectance
 }
+// ANCHOR_END: reflected
 // ANCHOR_END: conversions
 
 #[cfg(test)]

@@ -18,16 +18,19 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// `Rₖ × Rₖ₊₁` is lost; that edge counts 0.
 pub fn projected_solid_angle(p: DVec3, n: DVec3, outline: &[DVec3]) -> f64 {
     debug_assert!(n.is_normalized(), "n must have unit length: {n}");
+    // ANCHOR: horizon
     let horizon = Plane::through(p, n);
     if outline.iter().all(|&v| horizon.height(v) >= 0.0) {
         lambert_sum(p, n, outline)
     } else {
         lambert_sum(p, n, &clip(outline, horizon))
     }
+    // ANCHOR_END: horizon
 }
 
 fn lambert_sum(p: DVec3, n: DVec3, outline: &[DVec3]) -> f64 {
     let Some(&last) = outline.last() else { return 0.0 };
+    // ANCHOR: lambert_sum
     let mut sum = 0.0;
     let mut a = last - p;
     for &vertex in outline {
@@ -37,6 +40,7 @@ fn lambert_sum(p: DVec3, n: DVec3, outline: &[DVec3]) -> f64 {
         a = b;
     }
     (0.5 * sum).abs()
+    // ANCHOR_END: lambert_sum
 }
 // ANCHOR_END: projected_solid_angle
 
@@ -119,6 +123,7 @@ pub fn cosine_power_integral(k: f64) -> f64 {
 /// The square is mapped to the disc without folding (Shirley & Chiu 1997), and the disc
 /// raised to the hemisphere (Nusselt's analog, Malley's method).
 pub fn cosine_direction(u: DVec2) -> DVec3 {
+    // ANCHOR: cosine_direction
     let o = 2.0 * u - DVec2::ONE;
     let (radius, angle) = if o.x.abs() > o.y.abs() {
         (o.x, PI / 4.0 * (o.y / o.x))
@@ -130,6 +135,7 @@ pub fn cosine_direction(u: DVec2) -> DVec3 {
     let (sine, cosine) = angle.sin_cos();
     let (x, y) = (radius * cosine, radius * sine);
     DVec3::new(x, y, (1.0 - radius * radius).max(0.0).sqrt())
+    // ANCHOR_END: cosine_direction
 }
 
 #[cfg(test)]

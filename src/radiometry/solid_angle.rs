@@ -20,10 +20,12 @@ use std::f64::consts::{PI, TAU};
 /// digits from 1e-8 sr to within 1e-3 sr of 2π. A triangle in a plane with the origin
 /// counts 0, or ±2π when the origin lies inside it.
 pub fn solid_angle_triangle(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    // ANCHOR: triangle
     let (la, lb, lc) = (a.length(), b.length(), c.length());
     let above = a.dot((b - a).cross(c - a));
     let below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
     -2.0 * above.atan2(below)
+    // ANCHOR_END: triangle
 }
 // ANCHOR_END: solid_angle_triangle
 
@@ -38,10 +40,12 @@ pub fn solid_angle(p: DVec3, polygon: &Polygon) -> f64 {
     of_outline(p, polygon.vertices())
 }
 
+// ANCHOR: of_outline
 fn of_outline(p: DVec3, v: &[DVec3]) -> f64 {
     let fan = |k: usize| solid_angle_triangle(v[0] - p, v[k] - p, v[k + 1] - p);
     (1..v.len() - 1).map(fan).sum::<f64>().abs()
 }
+// ANCHOR_END: of_outline
 
 /// Solid angle of a rectangle `a` × `b` at `distance`, seen from above one of its
 /// corners; lengths in one unit, in sr, in `[0, π/2]`.
@@ -128,11 +132,13 @@ pub fn solid_angle_of_cap(beta: f64) -> f64 {
 /// ```
 /// The second form, which does not cancel for far spheres. On the sphere 2π, inside 4π.
 pub fn solid_angle_of_sphere(radius: f64, distance: f64) -> f64 {
+    // ANCHOR: sphere
     if distance < radius {
         return 2.0 * TAU;
     }
     let sine = radius / distance;
     TAU * sine * sine / (1.0 + ((1.0 - sine) * (1.0 + sine)).sqrt())
+    // ANCHOR_END: sphere
 }
 
 #[cfg(test)]

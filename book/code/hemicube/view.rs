@@ -33,7 +33,8 @@ pub fn items(resolution: u32) -> RgbImage {
     })
 }
 
-fn paint(scene: &Scene, surface: u32) -> [u8; 3] {
+/// The colour of a surface: that of its paint; patches differ in brightness.
+pub(crate) fn paint(scene: &Scene, surface: u32) -> [u8; 3] {
     let material = scene.material(&scene.surfaces[surface as usize]);
     if material.emits() {
         return [255, 220, 64];

@@ -48,7 +48,6 @@ impl<'m> Painter<'m> {
         }
     }
 
-    // ANCHOR: paint
     /// Draws the elements as `view` sees them, but for those of patch `own`: a flat patch
     /// does not see itself.
     pub(super) fn paint(
@@ -57,13 +56,14 @@ impl<'m> Painter<'m> {
         own: Option<PatchId>,
         buffer: &mut ItemBuffer,
     ) {
+        // ANCHOR: paint
         for (id, element) in self.mesh.elements.iter().enumerate() {
             if Some(element.patch) != own {
                 buffer.draw(view, &element.polygon, id as u32);
             }
         }
+        // ANCHOR_END: paint
     }
-    // ANCHOR_END: paint
 }
 
 /// Adds the weights of the cells to the elements that they show, and to what is lost.

@@ -117,12 +117,15 @@ impl Faces<'_> {
             let block = first..(first + BLOCK).min(surfaces);
             self.terminal.progress("form factors", first, surfaces);
             let pairs = |i: usize| {
-                let exchange = |j: usize| {
-                    let (i, j) = (ElementId(i as u32), ElementId(j as u32));
-                    method.exchange_and_error(i, j)
-                };
-                let found = (i + 1..surfaces).map(|j| (j, exchange(j)));
-                found.filter(|(_, (x, _))| *x != 0.0).collect::<Vec<_>>()
+                let mut found = Vec::new();
+                method.exchanges(
+                    ElementId(i as u32),
+                    i + 1..surfaces,
+                    |j, exchange, error| {
+                        found.push((j.0 as usize, (exchange, error)));
+                    },
+                );
+                found
             };
             let rows: Vec<_> = block.clone().into_par_iter().map(pairs).collect();
             for (i, (j, (exchange, error))) in block

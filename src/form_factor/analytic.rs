@@ -146,6 +146,8 @@ fn distance_at_least(small: &Polygon, middle: DVec3, large: &Polygon) -> f64 {
 /// The method, ready for a scene.
 pub struct Analytic {
     elements: Vec<Polygon>,
+    /// The elements, cut where blockers touch them: there what is seen jumps.
+    pieces: Vec<Vec<Polygon>>,
     patch_of: Vec<u32>,
     blockers: Blockers,
     surfaces: Visibility,
@@ -166,6 +168,7 @@ impl Analytic {
     pub fn new(scene: &Scene, mesh: &Mesh, tolerance: f64, seed: u64) -> Analytic {
         Analytic {
             elements: mesh.polygons().cloned().collect(),
+            pieces: mesh.cut_at_contacts(scene),
             patch_of: mesh.elements.iter().map(|e| e.patch.0).collect(),
             blockers: Blockers::of(scene),
             surfaces: Visibility::new(scene.surfaces.iter().map(|s| &s.polygon)),
@@ -222,18 +225,20 @@ impl Analytic {
     /// The error is by how much the rules of each part disagree, summed over the parts;
     /// where nothing stands between, what was asked for.
     pub fn exchange_and_error(&self, i: ElementId, j: ElementId) -> (f64, f64) {
-        let (a, b) = (&self.elements[i.0 as usize], &self.elements[j.0 as usize]);
+        let (a, b) = (self.polygon(i), self.polygon(j));
         let Some((a, b)) = facing(a, b) else { return (0.0, 0.0) };
-        self.exchange_past(&a, &b, &self.blockers.between(&a, &b))
+        self.exchange_past(i, j, &self.blockers.between(&a, &b))
     }
 
-    /// Calls `found(j, A_i F_ij)` for the elements `j` of `range` that face element `i`.
-    fn exchanges(
+    /// Calls `found(j, exchange, error)`, as [`Analytic::exchange_and_error`], for the
+    /// elements `j` of `range` that see something of element `i`; faster than pair by pair.
+    pub fn exchanges(
         &self,
-        i: usize,
+        i: ElementId,
         range: Range<usize>,
-        mut found: impl FnMut(usize, f64),
+        mut found: impl FnMut(ElementId, f64, f64),
     ) {
+        let i = i.0 as usize;
         let element = &self.elements[i];
         // What may stand between the element and a whole wall is found once.
         let mut known: Option<(u32, Vec<&Blocker>)> = None;
@@ -242,26 +247,44 @@ impl Analytic {
             if patch == self.patch_of[i] {
                 continue; // a flat patch does not see itself
             }
-            let Some((a, b)) = facing(element, &self.elements[j]) else { continue };
+            if facing(element, &self.elements[j]).is_none() {
+                continue;
+            }
             let wall = self.blockers.wall_of(patch as usize);
             if known.as_ref().is_none_or(|(of, _)| *of != wall) {
                 let whole = &self.blockers.walls()[wall as usize];
                 known = Some((wall, self.blockers.between(element, whole)));
             }
             let between = &known.as_ref().expect("just found").1;
-            found(j, self.exchange_past(&a, &b, between).0);
+            let j = ElementId(j as u32);
+            let (exchange, error) = self.exchange_past(ElementId(i as u32), j, between);
+            if exchange != 0.0 || error != 0.0 {
+                found(j, exchange, error);
+            }
         }
     }
 
     fn exchange_past(
         &self,
-        a: &Polygon,
-        b: &Polygon,
+        i: ElementId,
+        j: ElementId,
         between: &[&Blocker],
     ) -> (f64, f64) {
-        let (from, to) = by_shadow(a, b, between);
-        let allowed = self.tolerance * from.area().min(to.area());
-        self.past_blockers(from, to, between, None, allowed, DEEPEST)
+        let area = self.polygon(i).area().min(self.polygon(j).area());
+        let (mut sum, mut off) = (0.0, 0.0);
+        for a in &self.pieces[i.0 as usize] {
+            for b in &self.pieces[j.0 as usize] {
+                let Some((a, b)) = facing(a, b) else { continue };
+                let (from, to) = by_shadow(&a, &b, between);
+                // Each pair of pieces may err by its share.
+                let share = from.area().min(to.area()) / area;
+                let allowed = self.tolerance * area * share.min(1.0);
+                let (exchange, error) =
+                    self.past_blockers(from, to, between, None, allowed, DEEPEST);
+                (sum, off) = (sum + exchange, off + error);
+            }
+        }
+        (sum, off)
     }
 
     /// `∫ F(x → to) dA` over `from`, to an absolute error near `allowed`; `estimate` is
@@ -330,10 +353,11 @@ impl FormFactors for Analytic {
     }
 
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
-        let i = from.0 as usize;
-        let element = &self.elements[i];
+        let area = self.polygon(from).area();
         row.fill(0.0);
-        self.exchanges(i, 0..row.len(), |j, found| row[j] = found / element.area());
+        self.exchanges(from, 0..row.len(), |j, exchange, _| {
+            row[j.0 as usize] = exchange / area;
+        });
         self.lost(from)
     }
 
@@ -342,9 +366,9 @@ impl FormFactors for Analytic {
         let n = self.elements.len();
         let upper = |i: usize| {
             let mut row = Vec::new();
-            self.exchanges(i, i + 1..n, |j, found| {
-                if found != 0.0 {
-                    row.push((j as u32, found));
+            self.exchanges(ElementId(i as u32), i + 1..n, |j, exchange, _| {
+                if exchange != 0.0 {
+                    row.push((j.0, exchange));
                 }
             });
             done();

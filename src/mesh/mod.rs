@@ -131,6 +131,17 @@ impl Mesh {
         mesh
     }
 
+    /// Each element cut along the lines where other surfaces touch or pierce it, which
+    /// [`Mesh::uniform`] has done already and [`Mesh::whole`] has not.
+    pub fn cut_at_contacts(&self, scene: &Scene) -> Vec<Vec<Polygon>> {
+        let planes = Planes::of(scene);
+        let cut = |e: &Element| {
+            let (_, contacts) = planes.of_surface(e.patch.0 as usize);
+            contacts.cut(e.polygon.clone())
+        };
+        self.elements.iter().map(cut).collect()
+    }
+
     /// The element `id`.
     pub fn element(&self, id: ElementId) -> &Element {
         &self.elements[id.0 as usize]

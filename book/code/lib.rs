@@ -40,6 +40,7 @@ mod pages {
         hemicube: "hemicube.md",
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",
+        labs_lambert: "labs/lambert.md",
         labs_hemicube: "labs/hemicube.md",
         notation: "notation.md",
         bibliography: "bibliography.md",

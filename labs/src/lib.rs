@@ -24,6 +24,7 @@
 
 pub mod check;
 pub mod draw;
+pub mod shapes;
 pub mod lab;
 pub mod grade;
 pub mod run;
@@ -31,10 +32,12 @@ pub mod show;
 pub mod proof;
 pub mod solid_angle;
 pub mod radiometry;
+pub mod lambert;
 pub mod hemicube;
 
 pub use check::{Bug, Verdict};
 pub use lab::{Lab, Who};
 
 /// All labs, in the order of the course. A new lab is one more line.
-pub const LABS: &[&Lab] = &[&solid_angle::LAB, &radiometry::LAB, &hemicube::LAB];
+pub const LABS: &[&Lab] =
+    &[&solid_angle::LAB, &radiometry::LAB, &lambert::LAB, &hemicube::LAB];

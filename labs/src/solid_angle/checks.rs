@@ -9,10 +9,10 @@
 
 use super::Work;
 use super::bugs::*;
-use super::shapes::{Place, convex, l_shape, room};
 use crate::check::{Bug, Suspect, Verdict, Within, compare};
 use crate::draw::{decades, direction, uniform, whole_number};
 use crate::lab::{Check, check};
+use crate::shapes::{Place, convex, l_shape, room};
 use radiosity::prelude::{DVec3, dvec3};
 use radiosity::radiometry::solid_angle_triangle;
 use radiosity::random::Stream;

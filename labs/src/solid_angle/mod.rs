@@ -15,7 +15,6 @@
 pub mod starter;
 pub mod answer;
 pub mod bugs;
-pub mod shapes;
 pub mod checks;
 pub mod report;
 pub mod wrong;

@@ -4,7 +4,7 @@
 //! `cargo run -p labs --example digits` runs it on the student's work.
 
 use super::Work;
-use super::shapes::Place;
+use crate::shapes::Place;
 use radiosity::prelude::{DVec3, dvec3};
 use radiosity::random::Stream;
 

@@ -64,6 +64,11 @@ impl Place {
         self.origin + self.turn.world_from_local(p * self.scale)
     }
 
+    /// Where a direction of the shape comes to point.
+    pub fn direction(&self, d: DVec3) -> DVec3 {
+        self.turn.world_from_local(d)
+    }
+
     /// Where an outline comes to lie.
     pub fn all(&self, outline: &[DVec3]) -> Vec<DVec3> {
         outline.iter().map(|&p| self.of(p)).collect()

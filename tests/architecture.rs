@@ -1,5 +1,5 @@
-//! The rules of the house: who may use whom, how long a file is, what a header says, and
-//! where nothing may panic.
+//! The rules of the house: who may use whom, how long a file is, what a header says,
+//! and where nothing may panic.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -80,8 +80,8 @@ fn upward_use(source: &str, later: &[String]) -> Option<(usize, String)> {
     None
 }
 
-/// A module may use only the modules listed above it in `lib.rs`: whoever reads from the
-/// top never meets what has not been explained.
+/// A module may use only the modules listed above it in `lib.rs`: whoever reads from
+/// the top never meets what has not been explained.
 #[test]
 fn modules_depend_downward_only() {
     let order = modules();
@@ -128,8 +128,8 @@ fn no_file_is_long() {
     }
 }
 
-/// What it is, a formula, the methods with their use, what is not here, the place in the
-/// course, the sources.
+/// What it is, a formula, the methods with their use, what is not here, the place in
+/// the course, the sources.
 #[test]
 fn every_module_header_has_its_six_parts() {
     let mut lacking = Vec::new();
@@ -174,7 +174,7 @@ fn nothing_is_unsafe_ignored_or_unwritten() {
                 continue; // it names them
             }
             for (line, text) in read(&file).lines().enumerate() {
-                for word in words.iter().filter(|word| text.contains(**word)) {
+                if let Some(word) = words.iter().find(|word| text.contains(**word)) {
                     panic!("{}:{}: {word}", name(&file), line + 1);
                 }
             }
@@ -182,7 +182,8 @@ fn nothing_is_unsafe_ignored_or_unwritten() {
     }
 }
 
-/// What a file or an argument can reach must not panic; each exception says why it holds.
+/// What a file or an argument can reach must not panic; each exception says why it
+/// holds.
 #[test]
 fn input_cannot_make_it_panic() {
     let allowed = [

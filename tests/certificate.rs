@@ -1,4 +1,5 @@
-//! The certificate against fields whose error is known: it must hold it between its bounds.
+//! The certificate against fields whose error is known: it must hold it between its
+//! bounds.
 
 mod common;
 
@@ -15,8 +16,8 @@ use radiosity::visibility::Visibility;
 
 type Field<'a> = &'a (dyn Fn(ElementId, DVec3) -> Rgb + Sync);
 
-/// Of 40 runs this many may miss when each misses with probability 5 %: more than six do
-/// so once in 300 times.
+/// Of 40 runs this many may miss when each misses with probability 5 %: more than six
+/// do so once in 300 times.
 const RUNS: u64 = 40;
 const MAY_MISS: usize = 6;
 
@@ -35,7 +36,8 @@ fn solved(scene: &Scene, cells: usize) -> (Mesh, Vec<Rgb>) {
     (mesh, radiosity)
 }
 
-/// `E + ρ H` at a point, `H` gathered exactly from a field that is constant on elements.
+/// `E + ρ H` at a point, `H` gathered exactly from a field that is constant on
+/// elements.
 fn gather_exactly(
     e: Rgb,
     rho: Rgb,
@@ -50,8 +52,8 @@ fn gather_exactly(
     e + rho * h
 }
 
-/// `‖B − B*‖/‖B* − E‖` of a field on `mesh`, the truth being the light of a mesh four times
-/// as fine, gathered once more: an error of 1e-3 of the reflected light.
+/// `‖B − B*‖/‖B* − E‖` of a field on `mesh`, the truth being the light of a mesh four
+/// times as fine, gathered once more: an error of 1e-3 of the reflected light.
 fn true_error(
     scene: &Scene,
     mesh: &Mesh,
@@ -109,9 +111,9 @@ fn the_error_of_coarse_meshes_lies_within() {
     }
 }
 
-/// In the furnace the truth is exact: `B = E/(1 − ρ)`, and a field off by a share δ of it is
-/// off by `δ/ρ` of the reflected light. The residual is `(1 − ρ) δ B`: the upper bound is
-/// attained, so it must be honest to the last digit.
+/// In the furnace the truth is exact: `B = E/(1 − ρ)`, and a field off by a share δ of
+/// it is off by `δ/ρ` of the reflected light. The residual is `(1 − ρ) δ B`: the upper
+/// bound is attained, so it must be honest to the last digit.
 #[test]
 fn the_error_in_the_furnace_lies_within() {
     for rho in [0.3, 0.8] {
@@ -133,8 +135,9 @@ fn the_error_in_the_furnace_lies_within() {
 
 /// How sharp it is, with the work that a solution spends: the upper bound is the error
 /// times `1/(1 − ρ)`, as theory has it for the worst of fields, and half as much again,
-/// since `‖B* − E‖` is bounded from below as well. (The error of a coarse mesh changes sign
-/// from place to place and dies out when it is reflected; the bound does not know.)
+/// since `‖B* − E‖` is bounded from below as well. (The error of a coarse mesh changes
+/// sign from place to place and dies out when it is reflected; the bound does not
+/// know.)
 #[test]
 fn the_upper_bound_is_within_its_theory() {
     for rho in [0.5, 0.8] {
@@ -149,8 +152,8 @@ fn the_upper_bound_is_within_its_theory() {
     }
 }
 
-/// A field that leaves out what is reflected twice is 10 % and more off: it must not pass
-/// for 5 %, nor may no light at all pass for anything.
+/// A field that leaves out what is reflected twice is 10 % and more off: it must not
+/// pass for 5 %, nor may no light at all pass for anything.
 #[test]
 fn a_wrong_field_is_not_certified() {
     let scene = lit_cube(0.5);
@@ -171,8 +174,9 @@ fn a_wrong_field_is_not_certified() {
     }
 }
 
-/// Two gathers that know nothing of each other: the mean of the product of their residuals
-/// is `r²`. One residual squared has the mean `r² + σ²/rays`, however small `r` is.
+/// Two gathers that know nothing of each other: the mean of the product of their
+/// residuals is `r²`. One residual squared has the mean `r² + σ²/rays`, however small
+/// `r` is.
 #[test]
 fn the_product_of_two_gathers_is_unbiased_and_a_square_is_not() {
     let scene = lit_cube(0.5);

@@ -1,5 +1,5 @@
-//! The same bytes on one thread and on two: for every kind of factors, both solvers, the
-//! certificate, and the picture.
+//! The same bytes on one thread and on two: for every kind of factors, both solvers,
+//! the certificate, and the picture.
 
 use radiosity::film::Shot;
 use radiosity::geometry::Rgb;

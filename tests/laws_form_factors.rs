@@ -13,8 +13,8 @@ use radiosity::form_factor::{FormFactors, Lost};
 use radiosity::geometry::Polygon;
 use radiosity::mesh::Mesh;
 
-/// Rounding of `A F` for polygons of size 1: the contour integral promises 1e-13 times the
-/// product of the outlines' lengths, which is 40 at most.
+/// Rounding of `A F` for polygons of size 1: the contour integral promises 1e-13 times
+/// the product of the outlines' lengths, which is 40 at most.
 const ROUNDING: f64 = 1e-11;
 
 fn area_f(i: &Polygon, j: &Polygon) -> f64 {
@@ -41,7 +41,9 @@ proptest! {
 
     /// `F(i → j) = F(i → j₁) + F(i → j₂)` when `j` is cut in two.
     #[test]
-    fn additivity(i in polygon(), j in polygon(), way in vector(-1.0..1.0), s in -0.3..0.3) {
+    fn additivity(
+        i in polygon(), j in polygon(), way in vector(-1.0..1.0), s in -0.3..0.3,
+    ) {
         let knife = cut(&j, way, s);
         let parts = [j.clipped(knife), j.clipped(knife.flipped())];
         let sum: f64 = parts.iter().flatten().map(|part| area_f(&i, part)).sum();
@@ -55,12 +57,14 @@ proptest! {
         i in polygon(), j in polygon(), turn in turn(), shift in vector(-9.0..9.0),
     ) {
         let there = |v: DVec3| turn * v + shift;
-        let (here, moved) = (area_f(&i, &j), area_f(&moved(&i, there), &moved(&j, there)));
+        let here = area_f(&i, &j);
+        let moved = area_f(&moved(&i, there), &moved(&j, there));
         // Corners at 16 lengths from the origin are rounded to 16 ulps: 4e-15.
         prop_assert!((here - moved).abs() <= 4.0 * ROUNDING, "{here} != {moved}");
     }
 
-    /// Millimetres or kilometres (failure 30): `A F` grows with the square, to rounding.
+    /// Millimetres or kilometres (failure 30): `A F` grows with the square, to
+    /// rounding.
     #[test]
     fn scale(i in polygon(), j in polygon(), digits in -3.0..3.0_f64) {
         let s = 10.0_f64.powf(digits);
@@ -91,8 +95,8 @@ proptest! {
     }
 }
 
-/// Found by the laws: clipping leaves edges that pass each other within an ulp, which once
-/// were halved for ever.
+/// Found by the laws: clipping leaves edges that pass each other within an ulp, which
+/// once were halved for ever.
 #[test]
 fn edges_that_pass_within_an_ulp_do_no_harm() {
     let i = [
@@ -141,8 +145,8 @@ fn reciprocity_error(mesh: &Mesh, method: &dyn FormFactors) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// Hemicubes and rays count each share of the hemisphere once, open room or closed; and
-    /// from a closed one nothing escapes.
+    /// Hemicubes and rays count each share of the hemisphere once, open room or closed;
+    /// and from a closed one nothing escapes.
     #[test]
     fn rows_and_what_is_lost_sum_to_one(room in prop_oneof![room(true), room(false)]) {
         let scene = room.scene();
@@ -157,9 +161,9 @@ proptest! {
         }
     }
 
-    /// Reciprocity of rows, measured: Lambert's to rounding when each pair is done once, and
-    /// to the tolerance when rows are asked for one by one; rays to six standard errors.
-    /// (Hemicubes promise nothing: see the pinned failures.)
+    /// Reciprocity of rows, measured: Lambert's to rounding when each pair is done
+    /// once, and to the tolerance when rows are asked for one by one; rays to six
+    /// standard errors. (Hemicubes promise nothing: see the pinned failures.)
     #[test]
     fn reciprocity_of_rows(room in room(false)) {
         let scene = room.scene();
@@ -176,9 +180,9 @@ proptest! {
         }
     }
 
-    /// In a closed room, all that an element sends arrives. Lambert's row sums meet one as
-    /// nearly as its factors are asked for; a sharp shadow that points miss adds to a row
-    /// here and there (2e-3 was the worst of 300 rooms).
+    /// In a closed room, all that an element sends arrives. Lambert's row sums meet one
+    /// as nearly as its factors are asked for; a sharp shadow that points miss adds to
+    /// a row here and there (2e-3 was the worst of 300 rooms).
     #[test]
     fn analytic_rows_sum_to_one(room in room(false)) {
         let scene = room.scene();

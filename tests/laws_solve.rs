@@ -1,5 +1,5 @@
-//! Laws of the solution: the books balance after every step, light is never negative, and
-//! both ways of solving reach the same end.
+//! Laws of the solution: the books balance after every step, light is never negative,
+//! and both ways of solving reach the same end.
 
 mod common;
 
@@ -12,7 +12,9 @@ use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::form_factor::{FormFactors, Matrix};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
-use radiosity::solve::{Brightest, Enclosure, Gather, Ledger, Shoot, error_bound};
+use radiosity::solve::{
+    Brightest, Enclosure, Gather, Ledger, Shoot, Step, error_bound,
+};
 
 /// Bookkeeping closes to this share of what is emitted.
 const BOOKS: f64 = 1e-9;
@@ -48,8 +50,8 @@ fn closes(ledger: &Ledger, imbalance: Rgb) -> bool {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// Shooting: after every shot the imbalance is what the shooters' rows fall short of
-    /// one, and nothing else; the unshot light never grows by more than that either.
+    /// Shooting: after every shot the imbalance is what the shooters' rows fall short
+    /// of one, and nothing else; the unshot light never grows by more than that either.
     #[test]
     fn every_shot_is_booked(room in prop_oneof![room(true), room(false)]) {
         let (_, enclosure, matrices) = meshed(&room);
@@ -112,8 +114,9 @@ proptest! {
         }
     }
 
-    /// Reciprocal, closed factors: no light is invented or lost. The imbalance is zero after
-    /// every step, gathering and shooting, and what is absorbed is what is emitted.
+    /// Reciprocal, closed factors: no light is invented or lost. The imbalance is zero
+    /// after every step, gathering and shooting, and what is absorbed is what is
+    /// emitted.
     #[test]
     fn exact_factors_conserve_energy(room in convex_room(), rho in 0.0..0.9_f64) {
         let scene = room.scene();
@@ -121,13 +124,15 @@ proptest! {
         let mut enclosure = Enclosure::of(&scene, &mesh);
         let matrix = exact_factors(&mesh);
         let steps = Gather::new(&enclosure, &matrix).take(60);
-        for step in steps.chain(Shoot::new(&enclosure, &matrix, Brightest::ByPower).take(60)) {
+        let shots = Shoot::new(&enclosure, &matrix, Brightest::ByPower).take(60);
+        for step in steps.chain(shots) {
             prop_assert!(step.ledger.worst_imbalance() < 1e-11, "{:?}", step.ledger);
         }
         let last = Gather::new(&enclosure, &matrix).nth(400).unwrap().ledger;
         let off = (last.absorbed - last.emitted).abs().max_element();
         prop_assert!(off <= BOOKS * last.emitted.max_element(), "{last:?}");
-        // With one reflectance for all, `Σ A B (1 − ρ) = Φ`, whatever the shape of the room.
+        // With one reflectance for all, `Σ A B (1 − ρ) = Φ`, whatever the shape of the
+        // room.
         enclosure.reflectance.fill(Rgb::splat(rho));
         let b = gathered(&enclosure, &matrix, 1e-12, 1000);
         let kept = enclosure.power(b) * (1.0 - rho);
@@ -135,8 +140,8 @@ proptest! {
         prop_assert!(off <= BOOKS * last.emitted.max_element(), "{kept}");
     }
 
-    /// Gathering and shooting, by power or by radiosity, end at one solution: each within
-    /// the error that its residual allows.
+    /// Gathering and shooting, by power or by radiosity, end at one solution: each
+    /// within the error that its residual allows.
     #[test]
     fn all_ways_lead_to_one_solution(room in room(false)) {
         let scene = room.scene();
@@ -145,7 +150,8 @@ proptest! {
         let matrix = Analytic::new(&scene, &mesh, 1e-3, 1).matrix(&|| ());
         let accuracy = 1e-4;
         let by = |brightest| {
-            shot(&enclosure, Shoot::new(&enclosure, &matrix, brightest), accuracy, 100_000)
+            let solver = Shoot::new(&enclosure, &matrix, brightest);
+            shot(&enclosure, solver, accuracy, 100_000)
         };
         let gathering = gathered(&enclosure, &matrix, accuracy, 1000);
         let scale = enclosure.norm_squared(
@@ -155,12 +161,13 @@ proptest! {
                 gathering.iter().zip(&shooting).map(|(&a, &b)| a - b));
             // Row sums are off by 1e-3 at most: the bound is that much too small.
             let allowed = 1.1 * 2.0 * accuracy;
-            prop_assert!(apart.cmple(allowed * allowed * scale).all(), "{apart} {scale}");
+            let most = allowed * allowed * scale;
+            prop_assert!(apart.cmple(most).all(), "{apart} {most}");
         }
     }
 
-    /// The ambient term is a guess for the display: the solution does not know of it, and
-    /// in the end it is gone.
+    /// The ambient term is a guess for the display: the solution does not know of it,
+    /// and in the end it is gone.
     #[test]
     fn ambient_light_is_not_in_the_result(room in convex_room()) {
         let scene = room.scene();
@@ -171,13 +178,15 @@ proptest! {
         let mut silent = Shoot::new(&enclosure, &matrix, Brightest::ByPower);
         for _ in 0..50 {
             let shown = asked.with_ambient();
-            prop_assert!(shown.iter().zip(asked.radiosity()).all(|(a, b)| a.cmpge(*b).all()));
+            let mut pairs = shown.iter().zip(asked.radiosity());
+            prop_assert!(pairs.all(|(a, b)| a.cmpge(*b).all()));
             asked.next();
             silent.next();
             prop_assert_eq!(asked.radiosity(), silent.radiosity());
         }
         let rho = enclosure.largest_reflectance();
-        let last = asked.by_ref().take(100_000).find(|s| error_bound(s.residual, rho) < 1e-9);
+        let done = |s: &Step| error_bound(s.residual, rho) < 1e-9;
+        let last = asked.by_ref().take(100_000).find(done);
         prop_assume!(last.is_some());
         let apart = enclosure.power(
             asked.with_ambient().iter().zip(asked.radiosity()).map(|(&a, &b)| a - b));
@@ -185,8 +194,8 @@ proptest! {
         prop_assert!(apart.max_element() <= 1e-6 * all.max_element(), "{apart}");
     }
 
-    /// The furnace: where all emits E and reflects ρ, all is `E/(1 − ρ)`. Gathering needs no
-    /// more than rows that sum to one - however wrong the factors are.
+    /// The furnace: where all emits E and reflects ρ, all is `E/(1 − ρ)`. Gathering
+    /// needs no more than rows that sum to one - however wrong the factors are.
     #[test]
     fn the_furnace_glows_evenly(
         sides in [0.3..3.0_f64, 0.3..3.0, 0.3..3.0], rho in 0.0..0.95_f64,
@@ -204,12 +213,14 @@ proptest! {
             shot(&enclosure, shooting, 1e-11, 100_000),
         ] {
             let glow = 1.0 / (1.0 - rho);
-            prop_assert!(b.iter().all(|b| (b.x / glow - 1.0).abs() < BOOKS), "{:?}", b[0]);
+            let off = |b: &Rgb| (b.x / glow - 1.0).abs();
+            prop_assert!(b.iter().all(|b| off(b) < BOOKS), "{:?}", b[0]);
         }
     }
 }
 
-/// What is unshot after element `from` has shot, kept apart from the solver's own books.
+/// What is unshot after element `from` has shot, kept apart from the solver's own
+/// books.
 fn solver_state(
     unshot: &mut [Rgb],
     enclosure: &Enclosure,

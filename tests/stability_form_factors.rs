@@ -1,7 +1,7 @@
-//! Pinned failures of form factors, row by row of the table of failures: each test asserts
-//! the wrong answer and how wrong it is, so that no repair and no worsening goes unseen.
-//! (Rows 1, 18 to 22 and 24 of the hemicube: `hemicube.rs`. Rows 2, 4 and 5:
-//! `tables_shortcuts.rs`. Row 31: a unit test of `visibility`.)
+//! Pinned failures of form factors, row by row of the table of failures: each test
+//! asserts the wrong answer and how wrong it is, so that no repair and no worsening
+//! goes unseen. (Rows 1, 18 to 22 and 24 of the hemicube: `hemicube.rs`. Rows 2, 4 and
+//! 5: `tables_shortcuts.rs`. Row 31: a unit test of `visibility`.)
 
 mod common;
 
@@ -115,8 +115,8 @@ fn error(enclosure: &Enclosure, got: &[Rgb], exact: &[Rgb]) -> f64 {
     (off / light).sqrt()
 }
 
-/// Row 16: rows made to sum to one again hide the trouble: the books balance, and 6 to 9 %
-/// of the reflected light is wrong.
+/// Row 16: rows made to sum to one again hide the trouble: the books balance, and 6 to
+/// 9 % of the reflected light is wrong.
 #[test]
 fn row_16_normalising_hides_the_error() {
     for (k, expected) in [(2, 0.0887), (4, 0.0740), (6, 0.0619)] {
@@ -135,7 +135,8 @@ fn row_16_normalising_hides_the_error() {
 
 /// Row 15: rows from centres sum to one, and yet light is invented: large elements send
 /// small ones more than these get back. A small lamp in the ceiling of a cube, gathered
-/// with 1, 2, 4 elements a wall: 57, 13 and 3.4 % too much. Reciprocal factors have none.
+/// with 1, 2, 4 elements a wall: 57, 13 and 3.4 % too much. Reciprocal factors have
+/// none.
 #[test]
 fn row_15_gathering_from_centres_invents_light() {
     let lamp = rectangle(dvec3(0.4, 0.4, 1.0), DVec3::Y * 0.2, DVec3::X * 0.2);
@@ -157,8 +158,8 @@ fn row_15_gathering_from_centres_invents_light() {
     }
 }
 
-/// Row 17: an open scene whose rows are made to sum to one has no opening any more: what
-/// would leave is reflected instead.
+/// Row 17: an open scene whose rows are made to sum to one has no opening any more:
+/// what would leave is reflected instead.
 #[test]
 fn row_17_normalising_an_open_scene_closes_it() {
     let mut walls = box_walls([1.0; 3]).map(|wall| (wall, 0.0, 0.5)).to_vec();
@@ -185,8 +186,9 @@ fn row_17_normalising_an_open_scene_closes_it() {
     assert!(leaves == 0.0 && absorbed > 0.95, "{leaves} {absorbed}");
 }
 
-/// Row 20: a large wall shoots at a speck through one heavy cell of its hemicube: the speck
-/// gets 100 times more than there is. (It may be missed as well, and get nothing.)
+/// Row 20: a large wall shoots at a speck through one heavy cell of its hemicube: the
+/// speck gets 100 times more than there is. (It may be missed as well, and get
+/// nothing.)
 #[test]
 fn row_20_a_speck_gets_more_than_there_is() {
     let wall = rectangle(dvec3(-5.0, -5.0, 0.0), DVec3::X * 10.0, DVec3::Y * 10.0);
@@ -243,8 +245,8 @@ fn row_29_one_ray_decides_all_or_nothing() {
     }
 }
 
-/// Row 30: in millimetres, metres and kilometres the same light, by every method: nothing
-/// hides a length of its own.
+/// Row 30: in millimetres, metres and kilometres the same light, by every method:
+/// nothing hides a length of its own.
 #[test]
 fn row_30_scale_does_not_matter() {
     let solved = |scale: f64| {
@@ -275,8 +277,8 @@ fn row_30_scale_does_not_matter() {
             let apart = here.iter().zip(&there).map(|(a, b)| (a - b).x.powi(2));
             let all = here.iter().map(|a| a.x.powi(2)).sum::<f64>();
             let apart = (apart.sum::<f64>() / all).sqrt();
-            // A pair about to settle may be halved once more; a ray or a cell that grazes
-            // an edge may fall on its other side.
+            // A pair about to settle may be halved once more; a ray or a cell that
+            // grazes an edge may fall on its other side.
             let allowed = [1e-6, 1e-3, 1e-3][method];
             assert!(apart < allowed, "{scale} {method}: {apart}");
         }
@@ -284,8 +286,8 @@ fn row_30_scale_does_not_matter() {
 }
 
 /// Row 33: visibility averaged over pairs and multiplied with the open factor. A screen
-/// over three quarters leaves an eighth of the pairs, and F/8 is 14 % too little: the pairs
-/// that still see each other are nearer than the mean.
+/// over three quarters leaves an eighth of the pairs, and F/8 is 14 % too little: the
+/// pairs that still see each other are nearer than the mean.
 #[test]
 fn row_33_mean_visibility_is_not_a_factor() {
     let pair = squares_with_screen(0.0..0.75, 0.0..1.0);
@@ -336,9 +338,9 @@ fn rows_06_and_07_points_beside_a_shared_edge() {
 }
 
 /// Row 13: a twisted quadrilateral is no polygon: it is refused, and split along its
-/// shorter diagonal. The other diagonal bounds the same outline, so it exchanges the same
-/// light with all that sees its front (Stokes) - but it has another area, hence another
-/// factor.
+/// shorter diagonal. The other diagonal bounds the same outline, so it exchanges the
+/// same light with all that sees its front (Stokes) - but it has another area, hence
+/// another factor.
 #[test]
 fn row_13_a_twisted_face_has_two_areas() {
     let corners = [

@@ -14,8 +14,8 @@ use radiosity::scene::{Scene, built_in};
 use radiosity::solve::{Brightest, Enclosure, Shoot};
 use std::f64::consts::PI;
 
-/// Two rooms of a metre each on one floor, with a wall between them that reaches from floor
-/// to ceiling; the lamp is in the left one.
+/// Two rooms of a metre each on one floor, with a wall between them that reaches from
+/// floor to ceiling; the lamp is in the left one.
 fn two_rooms() -> Scene {
     let mut faces: Vec<_> =
         box_walls([2.0, 1.0, 1.0]).map(|wall| (wall, 0.0, 0.5)).to_vec();
@@ -38,15 +38,17 @@ fn shot_on(scene: &Scene, mesh: &Mesh) -> Vec<Rgb> {
     )
 }
 
-/// Row 35, light leak: an element that straddles a wall shows the mean of both rooms: the
-/// dark half of the floor glows like the lit one. Elements that are cut along contact lines leak
-/// nothing, at any fineness - not to the last digit, nor between vertices.
+/// Row 35, light leak: an element that straddles a wall shows the mean of both rooms:
+/// the dark half of the floor glows like the lit one. Elements that are cut along
+/// contact lines leak nothing, at any fineness - not to the last digit, nor between
+/// vertices.
 #[test]
 fn row_35_light_leaks_under_walls() {
     let scene = two_rooms();
     let leak = shot_on(&scene, &Mesh::whole(&scene))[4].x;
     let fine = Mesh::uniform(&scene, 0.2);
-    let lit = face_means(&scene, &fine, &shot_on(&scene, &fine))[4].x; // over both halves
+    // The mean over both halves.
+    let lit = face_means(&scene, &fine, &shot_on(&scene, &fine))[4].x;
     assert!((leak / lit - 1.0).abs() < 0.1, "{leak} {lit}");
     for edge in [5.0, 0.4, 0.3] {
         let mesh = Mesh::uniform(&scene, edge);
@@ -67,9 +69,9 @@ fn row_35_light_leaks_under_walls() {
     }
 }
 
-/// Row 41: what constant elements are off by falls with their size; what is interpolated
-/// between their vertices falls nearly with its square, and is half as much when the vertices
-/// hold exact values and not means of neighbours.
+/// Row 41: what constant elements are off by falls with their size; what is
+/// interpolated between their vertices falls nearly with its square, and is half as
+/// much when the vertices hold exact values and not means of neighbours.
 #[test]
 fn row_41_constant_elements_err_by_their_size() {
     // A lamp of 0.2 above a floor of 1: the irradiance is known at every point.
@@ -113,8 +115,8 @@ fn row_41_constant_elements_err_by_their_size() {
     assert!((last[0] - 0.0228).abs() < 1e-3 && last[2] < 0.003, "{last:?}");
 }
 
-/// Row 42: at an edge of a cube three walls of three brightnesses meet; none takes from the
-/// others.
+/// Row 42: at an edge of a cube three walls of three brightnesses meet; none takes from
+/// the others.
 #[test]
 fn row_42_no_mean_over_a_corner() {
     let scene = scene(box_walls([1.0; 3]).map(|wall| (wall, 0.0, 0.5)));
@@ -145,16 +147,16 @@ fn row_77_a_picture_shows_radiance() {
     }
 }
 
-/// Row 78: between black and white lies half the light, code 188; the mean of the codes is
-/// a fifth of it. So values are interpolated before they are coded.
+/// Row 78: between black and white lies half the light, code 188; the mean of the codes
+/// is a fifth of it. So values are interpolated before they are coded.
 #[test]
 fn row_78_codes_are_not_light() {
     assert_eq!(byte(0.5), 188);
     assert!((linear_from_srgb(0.5) - 0.214).abs() < 1e-4);
 }
 
-/// Row 79: white hides how bright: of a furnace seen at three exposures the pictures are
-/// equal, and the share that is clamped says why.
+/// Row 79: white hides how bright: of a furnace seen at three exposures the pictures
+/// are equal, and the share that is clamped says why.
 #[test]
 fn row_79_white_hides_how_bright() {
     let scene = built_in("furnace:0.5").unwrap();

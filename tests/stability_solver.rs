@@ -1,5 +1,5 @@
-//! Pinned failures of solvers, row by row of the table of failures: each asserts the wrong
-//! answer and how wrong it is, or that the trap is avoided.
+//! Pinned failures of solvers, row by row of the table of failures: each asserts the
+//! wrong answer and how wrong it is, or that the trap is avoided.
 
 mod common;
 
@@ -45,8 +45,8 @@ fn row_47_sweeps_grow_as_light_dies_out_slowly() {
     assert_eq!(found, [7, 44, 459, 4603]);
 }
 
-/// Row 48: a closed room that swallows nothing has no solution: each sweep adds the same
-/// light again. The material is refused.
+/// Row 48: a closed room that swallows nothing has no solution: each sweep adds the
+/// same light again. The material is refused.
 #[test]
 fn row_48_reflecting_all_is_refused() {
     let all = Coefficients { diffuse: Rgb::ONE, ..Default::default() };
@@ -62,8 +62,8 @@ fn row_48_reflecting_all_is_refused() {
     assert!(one > 1000.0 && ((three - two) / (two - one) - 1.0).abs() < 1e-6);
 }
 
-/// Row 49: a small step is no small error. At ρ = 0.99 the error is 50 times the last step
-/// of Gauss–Seidel (100 times of Jacobi); the residual over 1 − ρ bounds it.
+/// Row 49: a small step is no small error. At ρ = 0.99 the error is 50 times the last
+/// step of Gauss–Seidel (100 times of Jacobi); the residual over 1 − ρ bounds it.
 #[test]
 fn row_49_a_small_update_is_no_small_error() {
     let rho = 0.99;
@@ -84,9 +84,9 @@ fn row_49_a_small_update_is_no_small_error() {
     assert!((1.0..3.0).contains(&bound), "{bound}");
 }
 
-/// Row 50: who is the brightest? A large wall lamp holds most of the light, forty specks are
-/// each five times as bright. By radiosity the specks go first: after forty shots 99 % of
-/// the light has not moved; by power, 13 %.
+/// Row 50: who is the brightest? A large wall lamp holds most of the light, forty
+/// specks are each five times as bright. By radiosity the specks go first: after forty
+/// shots 99 % of the light has not moved; by power, 13 %.
 #[test]
 fn row_50_small_patches_shoot_too_early() {
     let mut faces: Vec<_> = box_walls([1.0; 3]).map(|wall| (wall, 0.0, 0.5)).to_vec();
@@ -179,8 +179,8 @@ fn row_54_a_sweep_depends_on_the_order() {
     assert!((after(200) - 1.0).abs() < 1e-12, "{}", after(200));
 }
 
-/// Row 58: a million small shares summed in single precision miss a per cent; in double,
-/// as everything here is, eleven digits are kept.
+/// Row 58: a million small shares summed in single precision miss a per cent; in
+/// double, as everything here is, eleven digits are kept.
 #[test]
 fn row_58_single_precision_drifts() {
     const SHOTS: u32 = 1_000_000;
@@ -190,8 +190,8 @@ fn row_58_single_precision_drifts() {
     assert!((double - 1.0).abs() < 1e-11, "{double}");
 }
 
-/// Row 59: in a red room red light goes round and green dies at once: each channel has its
-/// own `Φ/(1 − ρ)`.
+/// Row 59: in a red room red light goes round and green dies at once: each channel has
+/// its own `Φ/(1 − ρ)`.
 #[test]
 fn row_59_each_channel_has_its_own_books() {
     let rho = Rgb::new(0.95, 0.05, 0.0);

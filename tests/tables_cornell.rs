@@ -1,5 +1,5 @@
-//! The regular Cornell box against an independent solution, made on a finer mesh, and its
-//! direct light against exact values.
+//! The regular Cornell box against an independent solution, made on a finer mesh, and
+//! its direct light against exact values.
 
 mod common;
 
@@ -68,8 +68,9 @@ fn face_means_by_hemicubes_are_within_a_per_cent() {
     assert!(errors.as_flattened().iter().all(|&e| e < 0.01), "{errors:?}");
 }
 
-/// Failures 18 and 19 in a whole scene: of a coarse hemicube only few cells show the lamp.
-/// All that is gathered is off together; what the lamp's own hemicube shoots is not.
+/// Failures 18 and 19 in a whole scene: of a coarse hemicube only few cells show the
+/// lamp. All that is gathered is off together; what the lamp's own hemicube shoots is
+/// not.
 #[test]
 fn gathering_by_coarse_hemicubes_is_off_by_the_lamp() {
     let scene = cornell();
@@ -95,8 +96,8 @@ fn direct_light_alone_is_far_off() {
     assert!((error - 0.42).abs() < 0.01, "{error}");
 }
 
-/// The lamp's light on each face past the blocks, within what the table itself claims: 1e-7
-/// of the lamp's radiosity for most faces.
+/// The lamp's light on each face past the blocks, within what the table itself claims:
+/// 1e-7 of the lamp's radiosity for most faces.
 #[test]
 fn direct_irradiance() {
     let scene = cornell();

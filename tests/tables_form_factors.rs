@@ -83,8 +83,8 @@ fn wedges() {
     }
 }
 
-/// Square plates face to face, by side over distance; and at right angles, by depth over
-/// the shared edge (Howell's C-11 and C-14).
+/// Square plates face to face, by side over distance; and at right angles, by depth
+/// over the shared edge (Howell's C-11 and C-14).
 #[test]
 fn plates() {
     for (ratio, expected) in [

@@ -74,8 +74,9 @@ fn exact_visibility() {
     }
 }
 
-/// Unit squares one apart, a screen half-way over some of them. It hides exactly the pairs
-/// whose midpoint it holds; reflections of the square permute those sets, hence ¾ and ½.
+/// Unit squares one apart, a screen half-way over some of them. It hides exactly the
+/// pairs whose midpoint it holds; reflections of the square permute those sets, hence ¾
+/// and ½.
 #[test]
 fn half_hidden_by_symmetry() {
     const F: f64 = 0.199824895698387;
@@ -93,10 +94,12 @@ fn half_hidden_by_symmetry() {
     }
 }
 
-/// What share of the factor is missed whatever accuracy is asked for, up to a millionth.
+/// What share of the factor is missed whatever accuracy is asked for, up to a
+/// millionth.
 ///
-/// Each point knows exactly what it sees; but light that leaves through a slit at the very
-/// edge, or is cut off by the edge within a hundredth of it, falls between all points.
+/// Each point knows exactly what it sees; but light that leaves through a slit at the
+/// very edge, or is cut off by the edge within a hundredth of it, falls between all
+/// points.
 fn pinned(id: &str) -> Option<f64> {
     match id {
         "B1-al-leak-1e-3" => Some(0.22),

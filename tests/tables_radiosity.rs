@@ -121,8 +121,9 @@ fn shooting_goes_step_by_step_as_published() {
     assert_eq!(seen, 16);
 }
 
-/// Constant elements with exact factors, mesh by mesh: an independent program's face means
-/// to 1e-9. What is left to the continuous truth falls with the published order, 1.65…2.
+/// Constant elements with exact factors, mesh by mesh: an independent program's face
+/// means to 1e-9. What is left to the continuous truth falls with the published order,
+/// 1.65…2.
 #[test]
 fn boxes_meet_the_published_meshes_and_converge() {
     for case in cases("C_continuous") {

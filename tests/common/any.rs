@@ -43,8 +43,9 @@ pub fn cut(polygon: &Polygon, direction: DVec3, shift: f64) -> Plane {
     Plane::through(polygon.centroid() + shift * normal, normal)
 }
 
-/// A room of some size with a turned block in it, standing or floating; every wall and the
-/// block of a colour of its own; one or more walls emit. `open`: the last wall is missing.
+/// A room of some size with a turned block in it, standing or floating; every wall and
+/// the block of a colour of its own; one or more walls emit. `open`: the last wall is
+/// missing.
 #[derive(Clone, Debug)]
 pub struct Room {
     /// Outline, emitted radiosity, reflectance.

@@ -14,8 +14,8 @@ pub fn rectangle(corner: DVec3, a: DVec3, b: DVec3) -> Polygon {
     Polygon::new(vec![corner, corner + a, corner + a + b, corner + b]).unwrap()
 }
 
-/// The walls of a box with one corner at the origin, fronts inwards: x = 0, x = w, y = 0,
-/// y = d, z = 0, z = h.
+/// The walls of a box with one corner at the origin, fronts inwards: x = 0, x = w, y =
+/// 0, y = d, z = 0, z = h.
 pub fn box_walls([w, d, h]: [f64; 3]) -> [Polygon; 6] {
     let (x, y, z, o) = (DVec3::X * w, DVec3::Y * d, DVec3::Z * h, DVec3::ZERO);
     [

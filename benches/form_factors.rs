@@ -6,6 +6,8 @@
 
 use radiosity::form_factor::analytic::{Analytic, exchange};
 use radiosity::form_factor::hemicube::Hemicube;
+use radiosity::form_factor::hybrid::Hybrid;
+use radiosity::form_factor::pictures::Pictures;
 use radiosity::form_factor::{FormFactors, Matrix};
 use radiosity::geometry::Polygon;
 use radiosity::mesh::{ElementId, Mesh};
@@ -125,23 +127,58 @@ fn matrices(what: &str, scene: &Scene, tolerances: &[f64], reference: f64) {
     }
 }
 
+/// The hemicube and its cousins, with cells of one size at the zenith; and with exact
+/// factors where their assumptions break. Root mean square and largest error of a factor.
 fn hemicubes() {
-    let scene = built_in("cornell-regular").expect("a built-in scene");
-    let area: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
-    let mesh = Mesh::uniform(&scene, (area / 1800.0).sqrt());
+    let scene = tiled("cornell-regular", 1800.0);
+    let mesh = Mesh::whole(&scene);
     let n = mesh.elements.len();
-    println!("one hemicube in a room of {n} elements");
-    for resolution in [64, 128, 256, 512, 1024] {
-        let method = Hemicube::new(&mesh, resolution);
+    let ids: Vec<u32> = (0..n as u32).step_by(n / 50).collect();
+    let rows = |method: &dyn FormFactors| {
         let mut row = vec![0.0; n];
-        let rows: Vec<u32> = (0..n as u32).step_by(n / 50).collect();
-        let seconds = fastest(3, || {
-            rows.iter().for_each(|&i| {
-                method.row(ElementId(i), &mut row);
-            });
-        });
-        let milli = 1e3 * seconds / rows.len() as f64;
-        println!("  {resolution:4}: {milli:6.2} ms");
+        let mut all = Vec::new();
+        let start = Instant::now();
+        for &i in &ids {
+            method.row(ElementId(i), &mut row);
+            all.push(row.clone());
+        }
+        (all, start.elapsed().as_secs_f64())
+    };
+    let exact =
+        rows(&Analytic::new(&scene, &mesh, 1e-6, 1).without_losses()).0.concat();
+    println!("one row by pictures in a room of {n} elements");
+    for resolution in [64, 256, 1024] {
+        let methods: [(String, Box<dyn FormFactors>); 5] = [
+            ("hemicube".into(), Box::new(Hemicube::new(&mesh, resolution).turned(1))),
+            (
+                "tetrahedron".into(),
+                Box::new(Pictures::tetrahedron(&mesh, 3 * resolution / 2).turned(1)),
+            ),
+            (
+                "plane to 4".into(),
+                Box::new(Pictures::single_plane(&mesh, 4 * resolution, 4.0).turned(1)),
+            ),
+            (
+                "hybrid 1e-2".into(),
+                Box::new(Hybrid::new(&scene, &mesh, resolution, 1e-2, 1)),
+            ),
+            (
+                "hybrid 1e-3".into(),
+                Box::new(Hybrid::new(&scene, &mesh, resolution, 1e-3, 1)),
+            ),
+        ];
+        for (name, method) in methods {
+            let mut found = Vec::new();
+            let seconds = fastest(3, || found = rows(&*method).0.concat());
+            let milli = 1e3 * seconds / ids.len() as f64;
+            let off = || found.iter().zip(&exact).map(|(a, b)| (a - b).abs());
+            let rms = (off().map(|e| e * e).sum::<f64>() / found.len() as f64).sqrt();
+            let worst = off().fold(0.0, f64::max);
+            println!(
+                "  {name:12} {resolution:4}: {milli:6.2} ms, error {rms:.1e}, at most \
+                 {worst:.1e}"
+            );
+        }
     }
 }
 

@@ -16,6 +16,7 @@ use radiosity::mesh::{ElementId, Mesh};
 use radiosity::scene::Scene;
 
 type Make = for<'m> fn(&Scene, &'m Mesh) -> Box<dyn FormFactors + 'm>;
+type OfPair = fn(&Polygon, &Polygon) -> f64;
 
 // ANCHOR: tolerances
 /// Each method, its setting, and the absolute error that it states for the factor between
@@ -35,7 +36,7 @@ const METHODS: [(&str, Make, f64); 7] = [
 ];
 
 /// The same for methods that take two whole polygons and know nothing of what is between.
-const PAIR_METHODS: [(&str, fn(&Polygon, &Polygon) -> f64, f64); 4] = [
+const PAIR_METHODS: [(&str, OfPair, f64); 4] = [
     ("exchange", |i, j| exchange(i, j, 1e-300) / i.area(), 1e-12),
     ("contour", |i, j| by_contour(i, j) / i.area(), 1e-12),
     ("point to point", shortcuts::point_to_point, 0.12),

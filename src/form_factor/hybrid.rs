@@ -43,9 +43,9 @@ pub enum Assumption {
 ///
 /// # Accuracy
 /// Each factor is within about the tolerance: the errors of pairs that are left to the
-/// hemicube are estimates, not bounds. In a Cornell box of 700 elements, with cubes of 256,
-/// a tolerance of 1e-2 puts in 0.7 % of the pairs, and the error falls from 8e-2 to 4e-3
-/// (root mean square: to a sixth); 1e-3 puts in 8 %, and leaves 1e-3 (to an eleventh).
+/// hemicube are estimates, not bounds. In a Cornell box of 2000 elements, cubes of 256 are
+/// off by up to 5e-2. A tolerance of 1e-2 leaves 2e-3 for a fifth more time, and an eighth
+/// of the error in root mean square; 1e-3 leaves 1e-3, and a tenth.
 ///
 /// The rows are not reciprocal, and no longer sum to 1: what the hemicube gets wrong in one
 /// place it gets wrong in another the other way, and only large errors are repaired.

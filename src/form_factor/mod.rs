@@ -5,11 +5,15 @@
 //! A_i F_ij = A_j F_ji (reciprocity)      Σ_j F_ij = 1 (closure, in a closed room)
 //! ```
 //!
-//! | method       | use it when                            | it fails when                    |
-//! |--------------|----------------------------------------|----------------------------------|
-//! | [`analytic`] | a factor must be right                 | shafts hold thousands of blockers|
-//! | [`hemicube`] | all factors of a row are due, quickly  | a patch has few cells: aliasing  |
-//! | [`cast`]     | nothing may be assumed                 | never; but error falls as 1/√rays|
+//! | method        | use it when                           | it fails when                    |
+//! |---------------|---------------------------------------|----------------------------------|
+//! | [`analytic`]  | a factor must be right                | shafts hold thousands of blockers|
+//! | [`hemicube`]  | all factors of a row are due, quickly | a patch has few cells: aliasing  |
+//! | [`pictures`]  | its cousins are to be compared        | as the hemicube                  |
+//! | [`hybrid`]    | the hemicube's large errors must go   | most pairs are near              |
+//! | [`cast`]      | nothing may be assumed                | never; but error falls as 1/√rays|
+//! | [`shortcuts`] | textbook rules are to be judged       | near by; and they see no blocker |
+//! | [`named`]     | a closed form is wanted as an oracle  | the pair has no name             |
 //!
 //! **Not here:** links between groups of elements; mirrors and windows.
 //! Chapters *Form factors* (L07) and *The hemicube* (L10). Sources: Lambert 1760;

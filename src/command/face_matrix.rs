@@ -7,7 +7,7 @@
 //! | method   | a factor is found by                      | its error is estimated by       |
 //! |----------|-------------------------------------------|---------------------------------|
 //! | analytic | adaptive integration of visible parts     | the last refinement's change    |
-//! | hemicube | hemicubes at a grid of points on i        | a grid of half as many a side   |
+//! | hemicube | hemicubes at points all over i            | points half as dense a side     |
 //! | sampling | rays from random points of i              | the scatter of sixteen batches  |
 
 use super::output::Terminal;
@@ -145,47 +145,54 @@ impl Faces<'_> {
         FaceMatrix { n, error: off.fold(0.0, f64::max), factors }
     }
 
-    /// Cells along the edge of a hemicube: those of a wide patch are off by 1e-3 at the
-    /// most, and each hemicube is turned, so that these errors average out.
+    /// Cells along the edge of a hemicube. Each hemicube is turned by an angle of its own,
+    /// so that what cells cannot resolve averages out.
     const RESOLUTION: u32 = 256;
 
     /// About so many hemicubes are drawn at the most: half a minute's work.
-    const MOST_HEMICUBES: usize = 1 << 16;
+    const MOST_HEMICUBES: f64 = 65_536.0;
 
     fn hemicube(&self, wanted: &Wanted) -> FaceMatrix {
-        let surfaces = self.mesh.elements.len();
-        let mut before = self.hemicube_at(1, wanted.seed);
-        let mut side = 2;
+        let mut edge = 0.25 * self.scene.diagonal();
+        let mut before = self.hemicube_at(edge, wanted.seed);
         loop {
-            let factors = self.hemicube_at(side, wanted.seed);
+            edge *= 0.5;
+            let factors = self.hemicube_at(edge, wanted.seed);
             let apart = before.iter().zip(&factors).map(|(a, b)| (a - b).abs());
             let error = apart.fold(0.0, f64::max);
-            side *= 2;
-            if error <= wanted.tolerance
-                || side * side * surfaces > Faces::MOST_HEMICUBES
-            {
+            let next = 4.0 * Mesh::count_uniform(self.scene, 0.5 * edge);
+            if error <= wanted.tolerance || next > Faces::MOST_HEMICUBES {
                 return FaceMatrix { n: self.len(), factors, error };
             }
             before = factors;
         }
     }
 
-    /// The mean of hemicubes at `side` by `side` points of each surface.
-    fn hemicube_at(&self, side: usize, seed: u64) -> Vec<f64> {
+    /// The mean over each surface of hemicubes, some on each of its cells, whose edges are
+    /// `edge` at the most and which end where another surface stands on it.
+    ///
+    /// A cell is cut into triangles about its middle, and each has a hemicube at its
+    /// centroid: exact for light that changes linearly, whatever the outline.
+    fn hemicube_at(&self, edge: f64, seed: u64) -> Vec<f64> {
+        let cells = Mesh::uniform(self.scene, edge);
         let method = Hemicube::new(&self.mesh, Faces::RESOLUTION).turned(seed);
         self.by_rows(|surface, row| {
-            let polygon = &self.mesh.elements[surface].polygon;
-            let points = (0..side * side).into_par_iter().map(|k| {
-                let place = [k % side, k / side];
-                let place = place.map(|c| (c as f64 + 0.5) / side as f64);
-                let mut row = vec![0.0; self.mesh.elements.len()];
-                method.at(polygon.point_at(place), polygon.normal(), &mut row);
-                row
+            let range = cells.patches[surface].elements.clone();
+            let cells = range.into_par_iter().map(|k| {
+                let cell = &cells.elements[k as usize].polygon;
+                let middle = cell.centroid();
+                let (mut sum, mut seen) = (vec![0.0; row.len()], vec![0.0; row.len()]);
+                for (a, b) in cell.edges() {
+                    let area = 0.5 * (a - middle).cross(b - middle).length();
+                    method.at((a + b + middle) / 3.0, cell.normal(), &mut seen);
+                    sum.iter_mut().zip(&seen).for_each(|(sum, f)| *sum += area * f);
+                }
+                sum
             });
-            let points: Vec<Vec<f64>> = points.collect();
+            let cells: Vec<Vec<f64>> = cells.collect();
+            let area = self.mesh.elements[surface].polygon.area();
             for (j, factor) in row.iter_mut().enumerate() {
-                let sum: f64 = points.iter().map(|point| point[j]).sum();
-                *factor = sum / (side * side) as f64;
+                *factor = cells.iter().map(|cell| cell[j]).sum::<f64>() / area;
             }
         })
     }

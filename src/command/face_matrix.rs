@@ -121,8 +121,8 @@ impl Faces<'_> {
                 method.exchanges(
                     ElementId(i as u32),
                     i + 1..surfaces,
-                    |j, exchange, error| {
-                        found.push((j.0 as usize, (exchange, error)));
+                    |j, x, error| {
+                        found.push((j.0 as usize, (x, error)));
                     },
                 );
                 found

@@ -222,8 +222,8 @@ impl Analytic {
     /// `A_i F_ij` past everything that stands between, and about how far it may be off,
     /// both in scene units squared.
     ///
-    /// The error is by how much the rules of each part disagree, summed over the parts;
-    /// where nothing stands between, what was asked for.
+    /// The error is by how much the rules of each part disagree, summed over the parts, and
+    /// half of the tolerance at least; where nothing stands between, what was asked for.
     pub fn exchange_and_error(&self, i: ElementId, j: ElementId) -> (f64, f64) {
         let (a, b) = (self.polygon(i), self.polygon(j));
         let Some((a, b)) = facing(a, b) else { return (0.0, 0.0) };
@@ -279,9 +279,13 @@ impl Analytic {
                 // Each pair of pieces may err by its share.
                 let share = from.area().min(to.area()) / area;
                 let allowed = self.tolerance * area * share.min(1.0);
+                let between = self.blockers.narrowed(between, from, to);
                 let (exchange, error) =
-                    self.past_blockers(from, to, between, None, allowed, DEEPEST);
-                (sum, off) = (sum + exchange, off + error);
+                    self.past_blockers(from, to, &between, None, allowed, DEEPEST);
+                // A gap that all points miss leaves no trace in their disagreement.
+                let hidden = !between.is_empty() && error > 0.0;
+                let least = if hidden { 0.5 * allowed } else { 0.0 };
+                (sum, off) = (sum + exchange, off + error.max(least));
             }
         }
         (sum, off)
@@ -313,7 +317,8 @@ impl Analytic {
         let parts = quarters(from);
         let fine: Vec<f64> = parts.iter().map(|part| by_points(part, 2)).collect();
         let sum = fine.iter().sum::<f64>();
-        if depth == 0 || (coarse - sum).abs() <= allowed {
+        let change = (coarse - sum).abs();
+        if depth == 0 || change <= allowed {
             // Two rules may agree by chance, where both miss a shadow: ask a third. All may
             // miss a slit of light: where none sees any, ask the corners.
             let third = match sum {
@@ -322,7 +327,7 @@ impl Analytic {
             };
             let apart = (third - sum).abs();
             if depth == 0 || apart <= allowed {
-                return (if sum == 0.0 { sum } else { third }, apart);
+                return (if sum == 0.0 { sum } else { third }, apart.max(change));
             }
         }
         let found = parts.iter().zip(&fine).map(|(part, &found)| {

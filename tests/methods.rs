@@ -22,6 +22,7 @@ type OfPair = fn(&Polygon, &Polygon) -> f64;
 /// Each method, its setting, and the absolute error that it states for the factor between
 /// two faces that are cut into 8 × 8 elements each, whatever stands between.
 const METHODS: [(&str, Make, f64); 7] = [
+    // ANCHOR: methods
     ("exact, tolerance 1e-6", |s, m| Box::new(Analytic::new(s, m, 1e-6, 1)), 1e-6),
     ("4096 rays", |_, m| Box::new(Cast::new(m, 4096, 1)), 1e-3),
     ("hemicube, 128", |_, m| Box::new(Hemicube::new(m, 128).turned(1)), 2e-3),
@@ -33,14 +34,17 @@ const METHODS: [(&str, Make, f64); 7] = [
     ("single plane, 512", |_, m| Box::new(Pictures::single_plane(m, 512, 4.0)), 5e-2),
     ("classic hemicube, 64", |_, m| Box::new(Hemicube::classic(m, 64)), 5e-3),
     ("hybrid, 128", |s, m| Box::new(Hybrid::new(s, m, 128, 1e-3, 1)), 1e-3),
+    // ANCHOR_END: methods
 ];
 
 /// The same for methods that take two whole polygons and know nothing of what is between.
 const PAIR_METHODS: [(&str, OfPair, f64); 4] = [
+    // ANCHOR: pair_methods
     ("exchange", |i, j| exchange(i, j, 1e-300) / i.area(), 1e-12),
     ("contour", |i, j| by_contour(i, j) / i.area(), 1e-12),
     ("point to point", shortcuts::point_to_point, 0.12),
     ("point to disc", shortcuts::point_to_disc, 0.05),
+    // ANCHOR_END: pair_methods
 ];
 // ANCHOR_END: tolerances
 

@@ -35,7 +35,8 @@ pub fn points(csv: &str) -> Option<Vec<Point>> {
 const PLOT: [f64; 4] = [480.0, 320.0, 70.0, 20.0];
 
 /// Mid-tones that stand out on white and on navy, and apart for the colour-blind.
-const COLOURS: [&str; 4] = ["#d55e00", "#3b8fd0", "#00a078", "#b765a0"];
+const COLOURS: [&str; 6] =
+    ["#d55e00", "#3b8fd0", "#00a078", "#b765a0", "#a08a00", "#808080"];
 
 /// Keeps the grid out of a label: an outline in the page's background.
 const HALO: &str = "stroke=\"var(--bg)\" stroke-width=\"4\" paint-order=\"stroke\"";

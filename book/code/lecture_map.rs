@@ -77,11 +77,18 @@ pub const ROWS: [Row; 23] = [
         true,
     ),
     planned("the radiosity equation", "The radiosity equation", true),
-    planned(
-        "the form factor: meaning, computation, reciprocity and closure",
-        "Form factors",
-        true,
-    ),
+    Row {
+        topic: "the form factor: meaning, computation, reciprocity and closure",
+        title: "Form factors",
+        lab: true,
+        state: State::Done(Written {
+            page: "form-factors.md",
+            module: "src/form_factor",
+            figure: "pictures/form-factors-view.snap.png",
+            test: ("tests/methods.rs", "every_method_keeps_its_word"),
+            lab: Some("labs/lambert.md"),
+        }),
+    },
     planned(
         "the pipeline: elements, factors, system, picture; independent of the view",
         "The pipeline",

@@ -10,6 +10,8 @@
 //! | [`cornell`]     | the picture on the first page                                |
 //! | [`map`]         | a number for each pixel, in false colour                     |
 //! | [`light`]       | figures and numbers of the chapters L01 to L03               |
+//! | [`factors`]     | figures and numbers of the chapter on form factors           |
+//! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //!
 //! `cargo test -p book` runs the gates over the sources and every example of every page;
@@ -18,6 +20,7 @@
 
 pub mod chart;
 pub mod cornell;
+pub mod factors;
 pub mod generated;
 pub mod hemicube;
 pub mod html;
@@ -25,6 +28,7 @@ pub mod lecture_map;
 pub mod light;
 pub mod map;
 pub mod source;
+pub mod timing;
 
 /// Every page of the book, so that `cargo test` runs its examples.
 #[cfg(doctest)]
@@ -37,6 +41,7 @@ mod pages {
     pages! {
         index: "index.md",
         solid_angle: "solid-angle.md",
+        form_factors: "form-factors.md",
         hemicube: "hemicube.md",
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",

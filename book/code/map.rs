@@ -1,8 +1,10 @@
-//! Maps: one number for each pixel, in false colour, with its key.
+//! Maps: one number for each pixel, in false colour, with its key; and what is mapped.
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use radiosity::film::{FalseColour, Picture, RgbImage};
 use radiosity::geometry::{Polygon, Rgb};
+use radiosity::material::{Coefficients, Material};
+use radiosity::scene::{Face, MaterialId, Scene};
 use std::fmt::Write;
 
 /// Pixels along an edge of a map.
@@ -46,4 +48,17 @@ pub fn key(low: f64, high: f64, steps: usize, say: impl Fn(f64) -> String) -> St
 /// A fraction as per cent, without needless digits.
 pub fn per_cent(value: f64) -> String {
     format!("{} %", (value * 1e4).round() / 1e2)
+}
+
+/// A scene of black faces, for form factors alone.
+pub fn black<'a>(faces: impl IntoIterator<Item = &'a Polygon>) -> Scene {
+    let black = Material::new("black", Coefficients::default());
+    let black = black.expect("a black material is passive");
+    let face = |polygon: &Polygon| Face {
+        outline: polygon.vertices().to_vec(),
+        material: MaterialId(0),
+    };
+    let faces = faces.into_iter().map(face).collect();
+    let scene = Scene::assemble("black", vec![black], faces, None);
+    scene.expect("polygons are fit faces").0
 }

@@ -6,10 +6,13 @@
 mod picture;
 
 use book::cornell;
+use book::factors::{answers, errors, nusselt, pair, shadow};
 use book::hemicube::{sheet, table, view};
 use book::light::{panorama, pieces};
-use glam::dvec3;
+use glam::{DVec3, dvec3};
 use picture::assert_picture;
+use radiosity::form_factor::analytic::lambert_polygon;
+use radiosity::form_factor::named::perpendicular_rectangles;
 
 const PICTURES: &str = "src/pictures";
 
@@ -100,4 +103,84 @@ fn small_surfaces_are_small_from_afar_only() {
         let name = format!("solid-angle-pieces-{cuts}");
         assert_picture(PICTURES, &name, &pieces::picture(cuts));
     }
+}
+
+#[test]
+fn nusselts_disc_is_the_form_factor() {
+    assert_picture(PICTURES, "form-factors-view", &nusselt::cornell());
+    let (counted, exact) = nusselt::lamp();
+    assert!((counted - exact).abs() < 2e-3, "{counted} {exact}");
+    for tilt in nusselt::TILTS {
+        let lamp = nusselt::tilted(tilt);
+        let counted = nusselt::counted(|w| nusselt::meets(&lamp, w));
+        let exact = lambert_polygon(DVec3::ZERO, DVec3::Z, &lamp);
+        assert!((counted - exact).abs() < 2e-3, "{tilt}: {counted} {exact}");
+        let name = format!("form-factors-lamp-{tilt}");
+        assert_picture(PICTURES, &name, &nusselt::lamp_picture(tilt));
+    }
+}
+
+#[test]
+fn cutting_finds_what_is_seen() {
+    let (counted, exact) = shadow::cut();
+    assert!((counted - exact).abs() < 2e-3, "{counted} {exact}");
+    assert_picture(PICTURES, "form-factors-cut", &shadow::cut_picture());
+}
+
+/// Failure 33: visibility and kernel are correlated, so their means may not be multiplied.
+#[test]
+fn the_product_of_the_means_is_not_the_factor() {
+    let strip = shadow::Strip::default();
+    let (open, past) = strip.factors();
+    assert!((past - 0.029_163_422_95).abs() < 1e-7, "{past}");
+    let off = shadow::MEAN_VISIBILITY * open / past - 1.0;
+    assert!((-0.144..-0.143).contains(&off), "{off}");
+    for (name, show) in [
+        ("kernel", shadow::Show::Kernel),
+        ("share", shadow::Show::Share),
+        ("factor", shadow::Show::Factor),
+    ] {
+        let name = format!("form-factors-shadow-{name}");
+        assert_picture(PICTURES, &name, &strip.picture(show));
+    }
+}
+
+/// How far the methods are off, as root mean squares over the floor below a lamp.
+#[test]
+fn methods_err_as_the_maps_show() {
+    for (method, range) in [
+        (errors::Method::Disc, 0.2..0.6),
+        (errors::Method::Rays, 0.01..0.04),
+        (errors::Method::Hemicube, 0.001..0.02),
+        (errors::Method::Middle, 1e-5..2e-3),
+    ] {
+        let rms = errors::rms(&errors::errors(method));
+        assert!(range.contains(&rms), "{method:?}: {rms}");
+        let name = format!("form-factors-errors-{}", method.file());
+        assert_picture(PICTURES, &name, &errors::picture(method));
+    }
+}
+
+/// Failure 14: who forgets the cosine and divides by the sum publishes .128 for .2395.
+#[test]
+fn a_forgotten_cosine_gives_a_published_answer() {
+    let answers = answers::answers();
+    let of = |by: &str| answers.iter().find(|a| a.by.starts_with(by)).unwrap().factor;
+    assert!((answers::exact() - 0.2395).abs() < 1e-4);
+    assert!((of("the cosine forgotten") - of("published: lightmapper")).abs() < 5e-4);
+}
+
+/// Failures 6, 7 and 8, at a shared edge: points are of first order, middles of second,
+/// and among random pairs single ones outweigh hundreds.
+#[test]
+fn a_shared_edge_divides_the_methods() {
+    let exact = perpendicular_rectangles(1.0, 1.0, 1.0);
+    for cuts in [4, 8, 16] {
+        let [points, middles] = [pair::points, pair::middles]
+            .map(|rule| (rule(cuts) / exact - 1.0) / (rule(2 * cuts) / exact - 1.0));
+        assert!((1.8..2.1).contains(&points), "{cuts}: {points}");
+        assert!((3.9..4.1).contains(&middles), "{cuts}: {middles}");
+    }
+    let (_, largest) = pair::random_pairs(100_000, 0);
+    assert!(largest > 300.0 * exact, "{largest}");
 }

@@ -90,6 +90,7 @@ fn facing<'a>(
 
 // ANCHOR: exchange
 fn exchange_of_facing(i: &Polygon, j: &Polygon, tolerance: f64) -> f64 {
+    // ANCHOR: rule_of_pair
     let (small, large) = by_size(i, j);
     let middle = small.centroid();
     let factor = lambert_polygon(middle, small.normal(), large);
@@ -101,6 +102,7 @@ fn exchange_of_facing(i: &Polygon, j: &Polygon, tolerance: f64) -> f64 {
         Some(n) => over(small, n, |x| lambert_polygon(x, small.normal(), large)),
         None => exchange_by_contour(i.vertices(), j.vertices()),
     }
+    // ANCHOR_END: rule_of_pair
 }
 // ANCHOR_END: exchange
 

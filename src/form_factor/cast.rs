@@ -51,6 +51,7 @@ impl FormFactors for Cast {
         let share = 1.0 / self.rays as f64;
         let mut lost = Lost::default();
         row.fill(0.0);
+        // ANCHOR: cast
         for u in Stream::named(self.seed, &[from.0 as u64]).points(self.rays) {
             let ray = ray_from(element, &frame, u);
             match self.visibility.closest(&ray, Some(from.0)) {
@@ -59,6 +60,7 @@ impl FormFactors for Cast {
                 None => lost.escaped += share,
             }
         }
+        // ANCHOR_END: cast
         lost
     }
 }

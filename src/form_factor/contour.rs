@@ -33,6 +33,7 @@ pub fn exchange_by_contour(i: &[DVec3], j: &[DVec3]) -> f64 {
     let (of_i, of_j) = (edges(i), edges(j));
     // Any unit of length would do: ∮∮ dx·dx = 0. The pair's own keeps logarithms small.
     let unit = i[0].distance(j[0]).max(i[0].distance(i[1])).max(j[0].distance(j[1]));
+    // ANCHOR: pairs_of_edges
     let mut sum = 0.0;
     for &e in &of_i {
         for &f in &of_j {
@@ -40,6 +41,7 @@ pub fn exchange_by_contour(i: &[DVec3], j: &[DVec3]) -> f64 {
         }
     }
     (sum / TAU).max(0.0)
+    // ANCHOR_END: pairs_of_edges
 }
 
 fn edge_pair((e0, e1): (DVec3, DVec3), (f0, f1): (DVec3, DVec3), unit: f64) -> f64 {
@@ -74,6 +76,7 @@ fn length_and_direction(a: DVec3, b: DVec3) -> (f64, DVec3) {
 
 /// The closed form: `∫ ln(r/unit)` along an edge that starts at 0, seen from `p`.
 fn log_integral(p: DVec3, towards: DVec3, length: f64, unit: f64) -> f64 {
+    // ANCHOR: log_integral
     let foot = p.dot(towards);
     let h = p.cross(towards).length(); // √(p² − foot²) would lose half the digits
     let at = |u: f64| {
@@ -81,6 +84,7 @@ fn log_integral(p: DVec3, towards: DVec3, length: f64, unit: f64) -> f64 {
         if r == 0.0 { 0.0 } else { u * (r / unit).ln() - u + h * u.atan2(h) }
     };
     at(length - foot) - at(-foot)
+    // ANCHOR_END: log_integral
 }
 
 /// `∫ f` over `[a, b]`, where `f` is singular at distance `gap` from the nearer end.

@@ -72,8 +72,10 @@ pub fn point_to_point(i: &Polygon, j: &Polygon) -> f64 {
 /// That of [`point_to_point`] five sizes away (1.4 %) and better nearer, 21 % at one size:
 /// it is finite near by, not right.
 pub fn point_to_disc(i: &Polygon, j: &Polygon) -> f64 {
+    // ANCHOR: disc
     let (cosines, square) = between_middles(i, j);
     cosines * j.area() / (PI * square + j.area())
+    // ANCHOR_END: disc
 }
 // ANCHOR_END: point_to_disc
 
@@ -140,10 +142,12 @@ pub fn nusselt_outline(
 /// by less than `(edge's angle/steps)²` of the disc's share. With arcs instead of chords
 /// it is Lambert's formula ([`super::analytic::lambert_polygon`]).
 pub fn nusselt(p: DVec3, n: DVec3, polygon: &Polygon, steps: u32) -> f64 {
+    // ANCHOR: shadow_area
     let outline = nusselt_outline(p, n, polygon, steps);
     let next = outline.iter().cycle().skip(1);
     let twice: f64 = outline.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();
     0.5 * twice.abs() / PI
+    // ANCHOR_END: shadow_area
 }
 // ANCHOR_END: nusselt
 

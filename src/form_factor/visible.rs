@@ -42,6 +42,7 @@ pub fn lambert_visible(
             (factor(target.vertices()) - factor(&hidden)).max(0.0)
         }
         cones => {
+            // ANCHOR: cut_cones
             let mut seen = vec![Outline::from(target.vertices())];
             for cone in cones {
                 for piece in std::mem::take(&mut seen) {
@@ -49,6 +50,7 @@ pub fn lambert_visible(
                 }
             }
             seen.iter().map(|piece| factor(piece)).sum()
+            // ANCHOR_END: cut_cones
         }
     }
 }
@@ -74,6 +76,7 @@ fn outside(piece: Outline, cone: &[Plane], pieces: &mut Vec<Outline>) {
         pieces.push(piece);
         return;
     }
+    // ANCHOR: cut_outside
     let mut inside = piece;
     for plane in cone {
         let cut = clip(&inside, plane.flipped());
@@ -85,4 +88,5 @@ fn outside(piece: Outline, cone: &[Plane], pieces: &mut Vec<Outline>) {
             break;
         }
     }
+    // ANCHOR_END: cut_outside
 }

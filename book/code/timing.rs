@@ -1,0 +1,36 @@
+//! Time and error of one call, as a line of a chart's CSV.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+/// Prints a line: the time of one call, the root mean square error of `runs`.
+pub fn report(
+    method: &str,
+    setting: &str,
+    exact: f64,
+    runs: u64,
+    find: &dyn Fn(u64) -> f64,
+) {
+    let square = |seed| (find(seed) / exact - 1.0).powi(2);
+    let error = ((0..runs).map(square).sum::<f64>() / runs as f64).sqrt();
+    let milliseconds = milliseconds(&|| black_box(find(0)));
+    // An error of nothing has no logarithm: it stands as half a rounding.
+    let error = error.max(1e-16);
+    println!("{method},{setting},{milliseconds:.3e},{error:.3e},closed form");
+}
+
+/// The time of one call: the best of five rounds of at least 10 ms.
+pub fn milliseconds(find: &dyn Fn() -> f64) -> f64 {
+    let round = |calls: u32| {
+        let start = Instant::now();
+        (0..calls).for_each(|_| {
+            black_box(find());
+        });
+        1e3 * start.elapsed().as_secs_f64()
+    };
+    let mut calls = 1;
+    while round(calls) < 10.0 {
+        calls *= 2;
+    }
+    (0..5).map(|_| round(calls) / f64::from(calls)).fold(f64::INFINITY, f64::min)
+}

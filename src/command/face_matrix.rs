@@ -19,16 +19,18 @@ use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::scene::Scene;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Form factors between faces.
+/// Form factors between faces: what is not zero, row by row, in order of columns.
 pub struct FaceMatrix {
-    /// How many faces.
-    pub n: usize,
-    /// Row by row; `n` times `n`.
-    pub factors: Vec<f64>,
+    /// `rows[i]` holds `(j, F_ij)`.
+    pub rows: Vec<SparseRow>,
     /// How far a factor may be off, absolute.
     pub error: f64,
 }
+
+/// Columns and numbers.
+pub type SparseRow = Vec<(u32, f64)>;
 
 /// What is asked for.
 pub struct Wanted {
@@ -63,17 +65,16 @@ pub fn compute(scene: &Scene, wanted: &Wanted, terminal: &Terminal) -> FaceMatri
     }
 }
 
-/// Does any light that leaves a front reach no front? By rays, some from each surface.
+/// Does any light that leaves a front reach no front? By rays, a million in all.
 pub fn is_open(scene: &Scene, seed: u64) -> bool {
-    let cast = Cast::new(&Mesh::whole(scene), 1024, seed);
-    (0..cast.len()).into_par_iter().any(|i| {
-        let lost = cast.row(ElementId(i as u32), &mut vec![0.0; cast.len()]);
+    let mesh = Mesh::whole(scene);
+    let n = mesh.elements.len();
+    let cast = Cast::new(&mesh, ((1 << 20) / n.max(1)).clamp(16, 1024), seed);
+    (0..n).into_par_iter().any(|i| {
+        let lost = cast.row(ElementId(i as u32), &mut vec![0.0; n]);
         lost.escaped + lost.absorbed > 0.0
     })
 }
-
-/// Rows that are computed in parallel before they are summed, in order.
-const BLOCK: usize = 64;
 
 /// An error that the closed forms are known to stay below, relative.
 const CLOSED_FORMS: f64 = 1e-9;
@@ -84,16 +85,8 @@ impl Faces<'_> {
     }
 
     /// The face that a surface is part of.
-    fn face(&self, surface: usize) -> usize {
-        self.mesh.patches[surface].face.0 as usize
-    }
-
-    /// Divides row `I` of `A_I F_IJ` by `A_I`; a face without area has a row of zeros.
-    fn per_area(&self, exchanges: &mut [f64]) {
-        for (row, &area) in exchanges.chunks_mut(self.len()).zip(&self.areas) {
-            let scale = if area > 0.0 { 1.0 / area } else { 0.0 };
-            row.iter_mut().for_each(|x| *x *= scale);
-        }
+    fn face(&self, surface: usize) -> u32 {
+        self.mesh.patches[surface].face.0
     }
 
     fn analytic(&self, wanted: &Wanted) -> FaceMatrix {
@@ -109,40 +102,41 @@ impl Faces<'_> {
 
     /// One number serves both directions of a pair.
     fn analytic_to(&self, tolerance: f64, seed: u64) -> FaceMatrix {
-        let (n, surfaces) = (self.len(), self.mesh.elements.len());
+        let surfaces = self.mesh.elements.len();
         let method = Analytic::new(self.scene, &self.mesh, tolerance, seed).sharp();
-        let mut factors = vec![0.0; n * n];
-        let mut errors = vec![0.0; n * n];
-        for first in (0..surfaces).step_by(BLOCK) {
-            let block = first..(first + BLOCK).min(surfaces);
-            self.terminal.progress("form factors", first, surfaces);
-            let pairs = |i: usize| {
-                let mut found = Vec::new();
-                method.exchanges(
-                    ElementId(i as u32),
-                    i + 1..surfaces,
-                    |j, x, error| {
-                        found.push((j.0 as usize, (x, error)));
-                    },
-                );
-                found
-            };
-            let rows: Vec<_> = block.clone().into_par_iter().map(pairs).collect();
-            for (i, (j, (exchange, error))) in block
-                .zip(rows)
-                .flat_map(|(i, row)| row.into_iter().map(move |pair| (i, pair)))
-            {
-                let (i, j) = (self.face(i), self.face(j));
-                for at in [i * n + j, j * n + i] {
-                    factors[at] += exchange;
-                    errors[at] += error;
-                }
+        let done = AtomicUsize::new(0);
+        let pairs = |i: usize| {
+            let mut found = Vec::new();
+            method.exchanges(
+                ElementId(i as u32),
+                i + 1..surfaces,
+                |j, exchange, error| {
+                    found.push((self.face(j.0 as usize), exchange, error));
+                },
+            );
+            self.tick(&done, surfaces);
+            found
+        };
+        let upper: Vec<Vec<(u32, f64, f64)>> =
+            (0..surfaces).into_par_iter().map(pairs).collect();
+        let mut rows: Vec<Vec<(u32, f64, f64)>> = vec![Vec::new(); self.len()];
+        for (i, pairs) in upper.into_iter().enumerate() {
+            let i = self.face(i);
+            for (j, exchange, error) in pairs {
+                rows[i as usize].push((j, exchange, error));
+                rows[j as usize].push((i, exchange, error));
             }
         }
-        self.per_area(&mut factors);
-        self.per_area(&mut errors);
-        let off = factors.iter().zip(&errors).map(|(f, e)| e + CLOSED_FORMS * f);
-        FaceMatrix { n, error: off.fold(0.0, f64::max), factors }
+        let mut error = 0.0_f64;
+        let sparse = |(row, &area): (Vec<(u32, f64, f64)>, &f64)| {
+            let summed = summed(row);
+            let off = summed.iter().map(|(_, x, e)| (e + CLOSED_FORMS * x) / area);
+            error = off.fold(error, f64::max);
+            let factors = summed.iter().filter(|e| e.1 != 0.0);
+            factors.map(|&(j, exchange, _)| (j, exchange / area)).collect()
+        };
+        let rows = rows.into_iter().zip(&self.areas).map(sparse).collect();
+        FaceMatrix { rows, error }
     }
 
     /// Cells along the edge of a hemicube. Each hemicube is turned by an angle of its own,
@@ -157,14 +151,13 @@ impl Faces<'_> {
         let mut before = self.hemicube_at(edge, wanted.seed);
         loop {
             edge *= 0.5;
-            let factors = self.hemicube_at(edge, wanted.seed);
-            let apart = before.iter().zip(&factors).map(|(a, b)| (a - b).abs());
-            let error = apart.fold(0.0, f64::max);
+            let rows = self.hemicube_at(edge, wanted.seed);
+            let error = largest_difference(&before, &rows);
             let next = 4.0 * Mesh::count_uniform(self.scene, 0.5 * edge);
             if error <= wanted.tolerance || next > Faces::MOST_HEMICUBES {
-                return FaceMatrix { n: self.len(), factors, error };
+                return FaceMatrix { rows, error };
             }
-            before = factors;
+            before = rows;
         }
     }
 
@@ -173,26 +166,22 @@ impl Faces<'_> {
     ///
     /// A cell is cut into triangles about its middle, and each has a hemicube at its
     /// centroid: exact for light that changes linearly, whatever the outline.
-    fn hemicube_at(&self, edge: f64, seed: u64) -> Vec<f64> {
+    fn hemicube_at(&self, edge: f64, seed: u64) -> Vec<SparseRow> {
         let cells = Mesh::uniform(self.scene, edge);
         let method = Hemicube::new(&self.mesh, Faces::RESOLUTION).turned(seed);
-        self.by_rows(|surface, row| {
-            let range = cells.patches[surface].elements.clone();
-            let cells = range.into_par_iter().map(|k| {
+        self.by_rows(|surface, add| {
+            let surface = &cells.patches[surface];
+            let of_cell = |k: u32| cells.elements[k as usize].polygon.area();
+            let area: f64 = surface.elements.clone().map(of_cell).sum();
+            let mut seen = vec![0.0; self.mesh.elements.len()];
+            for k in surface.elements.clone() {
                 let cell = &cells.elements[k as usize].polygon;
                 let middle = cell.centroid();
-                let (mut sum, mut seen) = (vec![0.0; row.len()], vec![0.0; row.len()]);
                 for (a, b) in cell.edges() {
-                    let area = 0.5 * (a - middle).cross(b - middle).length();
+                    let part = 0.5 * (a - middle).cross(b - middle).length();
                     method.at((a + b + middle) / 3.0, cell.normal(), &mut seen);
-                    sum.iter_mut().zip(&seen).for_each(|(sum, f)| *sum += area * f);
+                    add(&seen, part / area);
                 }
-                sum
-            });
-            let cells: Vec<Vec<f64>> = cells.collect();
-            let area = self.mesh.elements[surface].polygon.area();
-            for (j, factor) in row.iter_mut().enumerate() {
-                *factor = cells.iter().map(|cell| cell[j]).sum::<f64>() / area;
             }
         })
     }
@@ -219,49 +208,90 @@ impl Faces<'_> {
     /// The mean of sixteen batches. Its error is taken as four of its standard errors:
     /// among ten thousand factors none is likely to be off by more.
     fn sampling_by(&self, rays: usize, seed: u64) -> FaceMatrix {
-        let n = self.len();
         let batches = Faces::BATCHES as f64;
-        let (mut sum, mut squares) = (vec![0.0; n * n], vec![0.0; n * n]);
+        let mut sum: Vec<Vec<(u32, f64, f64)>> = vec![Vec::new(); self.len()];
         for batch in 0..Faces::BATCHES as u64 {
             let seed = seed.wrapping_mul(Faces::BATCHES as u64).wrapping_add(batch);
             let cast = Cast::new(&self.mesh, rays.div_ceil(Faces::BATCHES), seed);
-            let rows = self.by_rows(|surface, row| {
-                cast.row(ElementId(surface as u32), row);
+            let rows = self.by_rows(|surface, add| {
+                let mut row = vec![0.0; self.mesh.elements.len()];
+                cast.row(ElementId(surface as u32), &mut row);
+                add(&row, 1.0);
             });
-            for (k, factor) in rows.into_iter().enumerate() {
-                sum[k] += factor;
-                squares[k] += factor * factor;
+            for (sum, row) in sum.iter_mut().zip(rows) {
+                sum.extend(row.into_iter().map(|(j, f)| (j, f, f * f)));
+                *sum = summed(std::mem::take(sum));
             }
         }
-        sum.iter_mut().for_each(|x| *x /= batches);
-        let variance = sum.iter().zip(&squares).map(|(mean, squares)| {
-            (squares / batches - mean * mean).max(0.0) * batches / (batches - 1.0)
-        });
-        let error = 4.0 * (variance.fold(0.0, f64::max) / batches).sqrt();
-        FaceMatrix { n, factors: sum, error }
+        let mut variance = 0.0_f64;
+        let mean = |row: Vec<(u32, f64, f64)>| {
+            let mean = |(j, sum, squares): (u32, f64, f64)| {
+                let mean = sum / batches;
+                let own = (squares / batches - mean * mean) * batches / (batches - 1.0);
+                variance = variance.max(own);
+                (j, mean)
+            };
+            row.into_iter().map(mean).collect()
+        };
+        let rows = sum.into_iter().map(mean).collect();
+        FaceMatrix { rows, error: 4.0 * (variance / batches).sqrt() }
     }
 
-    /// Sums rows of factors between surfaces up to a matrix between faces.
-    fn by_rows(&self, row: impl Fn(usize, &mut [f64]) + Sync) -> Vec<f64> {
-        let (n, surfaces) = (self.len(), self.mesh.elements.len());
-        let mut factors = vec![0.0; n * n];
-        for first in (0..surfaces).step_by(BLOCK) {
-            let block = first..(first + BLOCK).min(surfaces);
-            self.terminal.progress("form factors", first, surfaces);
-            let computed = block.clone().into_par_iter().map(|i| {
-                let mut computed = vec![0.0; surfaces];
-                row(i, &mut computed);
-                computed
-            });
-            let rows: Vec<Vec<f64>> = computed.collect();
-            for (i, row) in block.zip(rows) {
-                let area = self.mesh.elements[i].polygon.area();
-                for (j, factor) in row.into_iter().enumerate() {
-                    factors[self.face(i) * n + self.face(j)] += area * factor;
-                }
+    /// Rows between faces from rows between surfaces: `row(surface, add)` calls
+    /// `add(row, share)` once or more.
+    fn by_rows(
+        &self,
+        row: impl Fn(usize, &mut dyn FnMut(&[f64], f64)) + Sync,
+    ) -> Vec<SparseRow> {
+        let n = self.len();
+        let mut surfaces: Vec<Vec<usize>> = vec![Vec::new(); n];
+        (0..self.mesh.elements.len())
+            .for_each(|i| surfaces[self.face(i) as usize].push(i));
+        let done = AtomicUsize::new(0);
+        let of_face = |sum: &mut Vec<f64>, face: usize| {
+            sum.fill(0.0);
+            for &i in &surfaces[face] {
+                let part = self.mesh.elements[i].polygon.area() / self.areas[face];
+                row(i, &mut |factors, share| {
+                    for (j, factor) in factors.iter().enumerate() {
+                        sum[self.face(j) as usize] += part * share * factor;
+                    }
+                });
             }
-        }
-        self.per_area(&mut factors);
-        factors
+            self.tick(&done, n);
+            let all = (0u32..).zip(sum.iter().copied());
+            all.filter(|(_, factor)| *factor != 0.0).collect()
+        };
+        (0..n).into_par_iter().map_init(|| vec![0.0; n], of_face).collect()
     }
+
+    /// One more row is done.
+    fn tick(&self, done: &AtomicUsize, all: usize) {
+        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+        self.terminal.progress("form factors", done, all);
+    }
+}
+
+/// Sums the entries of equal columns; in order of columns.
+fn summed(mut row: Vec<(u32, f64, f64)>) -> Vec<(u32, f64, f64)> {
+    row.sort_by_key(|e| e.0); // stable: sums keep their order
+    row.dedup_by(|b, a| {
+        let same = a.0 == b.0;
+        if same {
+            *a = (a.0, a.1 + b.1, a.2 + b.2);
+        }
+        same
+    });
+    row
+}
+
+/// The largest absolute difference of two matrices.
+fn largest_difference(a: &[SparseRow], b: &[SparseRow]) -> f64 {
+    let of_row = |(a, b): (&SparseRow, &SparseRow)| {
+        let entry = |&(j, x): &(u32, f64)| (j, x, 0.0);
+        let minus = |&(j, x): &(u32, f64)| (j, -x, 0.0);
+        let both = a.iter().map(entry).chain(b.iter().map(minus)).collect();
+        summed(both).iter().map(|e| e.1.abs()).fold(0.0, f64::max)
+    };
+    a.iter().zip(b).map(of_row).fold(0.0, f64::max)
 }

@@ -1,13 +1,14 @@
 //! `radiosity form-factors`: the matrix between the faces of a scene.
 
 use super::face_matrix::{FaceMatrix, Wanted, compute, is_open};
-use super::output::{Refusal, Terminal, check_writable, extension, write};
+use super::output::{Refusal, Terminal, check_writable, extension, write_by};
 use super::solve::{FactorMethod, samples};
 use super::{Source, values};
 use clap::Args;
+use radiosity::form_factor::{Closing, close};
 use radiosity::scene::Scene;
 use serde_json::json;
-use std::fmt::Write;
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -37,10 +38,14 @@ pub struct FormFactors {
     /// Rays from each face, with `--method sampling` [default: as the tolerance needs]
     #[arg(long, value_name = "N")]
     samples: Option<usize>,
+    /// Scales the rows of a closed scene to sums of one, and reports what that changed; it
+    /// hides errors, it does not mend them
+    #[arg(long)]
+    close: bool,
 }
 
-/// The matrix of more faces would not fit: three times the square of this, 8 bytes each.
-const MOST_FACES: usize = 10_000;
+/// The matrix of more faces would not fit: up to 40 bytes for each pair that see each other.
+const MOST_FACES: usize = 20_000;
 
 /// What a matrix says of itself.
 struct Check {
@@ -74,14 +79,16 @@ impl FormFactors {
         }
         let start = Instant::now();
         let wanted = Wanted { method: self.method, tolerance, samples, seed };
-        let matrix = compute(&scene, &wanted, terminal);
+        let mut matrix = compute(&scene, &wanted, terminal);
         let seconds = start.elapsed().as_secs_f64();
         let open = is_open(&scene, seed);
+        let closing = self.closed(&scene, &mut matrix, open)?;
         let Check { closure, reciprocity } = check(&scene, &matrix);
         // In a closed scene the rows must sum to one: what they miss, factors are off.
-        let error = if open { matrix.error } else { matrix.error.max(closure) };
+        let missed = closing.map_or(closure, |closing| closing.before);
+        let error = if open { matrix.error } else { matrix.error.max(missed) };
 
-        let n = matrix.n;
+        let n = matrix.rows.len();
         let mut text = format!(
             "{}: {n} x {n} form factors, {}, {seconds:.1} s\n\
              rows sum to one but for {closure:.3e}{}\n\
@@ -92,36 +99,70 @@ impl FormFactors {
             if open { "open" } else { "closed" },
             if open { ", the most that escapes a face" } else { "" },
         );
+        if let Some(Closing { before, change, .. }) = closing {
+            text += &format!(
+                "--close: rows summed to one but for {before:.3e}; the largest change of a \
+                 factor is {change:.3e}\n"
+            );
+        }
         if let Some((path, kind)) = file {
             match kind {
-                "npy" => write(path, &npy(&matrix))?,
-                _ => write(path, csv(&matrix).as_bytes())?,
+                "npy" => write_by(path, |file| npy(&matrix, file))?,
+                _ => write_by(path, |file| csv(&matrix, file))?,
             }
             text += &format!("written: {}\n", path.display());
         }
         terminal.report(&text, || {
-            json!({
+            let mut object = json!({
                 "n": n,
                 "seconds": seconds,
                 "open": open,
                 "closure_max": closure,
                 "reciprocity_max": reciprocity,
                 "error_estimate": error,
-            })
+            });
+            if let Some(Closing { before, after, change }) = closing {
+                object["close"] = json!({
+                    "closure_before": before,
+                    "closure_after": after,
+                    "largest_change": change,
+                });
+            }
+            object
         })
+    }
+
+    /// The repair, where it was asked for and the scene is closed.
+    fn closed(
+        &self,
+        scene: &Scene,
+        matrix: &mut FaceMatrix,
+        open: bool,
+    ) -> Result<Option<Closing>, Refusal> {
+        match (self.close, open) {
+            (false, _) => Ok(None),
+            (true, false) => Ok(Some(close(&mut matrix.rows, &scene.face_areas()))),
+            (true, true) => Err(Refusal(format!(
+                "{} is open, so rows may sum to less than one, and --close would invent \
+                 light; leave --close out",
+                scene.name
+            ))),
+        }
     }
 }
 
 fn check(scene: &Scene, matrix: &FaceMatrix) -> Check {
-    let (n, areas) = (matrix.n, scene.face_areas());
+    let areas = scene.face_areas();
     let mut check = Check { closure: 0.0, reciprocity: 0.0 };
-    for i in (0..n).filter(|&i| areas[i] > 0.0) {
-        let row = &matrix.factors[i * n..(i + 1) * n];
-        check.closure = check.closure.max((1.0 - row.iter().sum::<f64>()).abs());
-        for j in (0..i).filter(|&j| areas[j] > 0.0) {
-            let (there, back) =
-                (areas[i] * row[j], areas[j] * matrix.factors[j * n + i]);
-            let apart = (there - back).abs() / areas[i].max(areas[j]);
+    for (i, row) in matrix.rows.iter().enumerate().filter(|&(i, _)| areas[i] > 0.0) {
+        let sum = row.iter().map(|e| e.1).sum::<f64>();
+        check.closure = check.closure.max((1.0 - sum).abs());
+        for &(j, factor) in row {
+            let other = &matrix.rows[j as usize];
+            let back = other.binary_search_by_key(&(i as u32), |e| e.0);
+            let back = back.map_or(0.0, |k| other[k].1);
+            let (there, back) = (areas[i] * factor, areas[j as usize] * back);
+            let apart = (there - back).abs() / areas[i].max(areas[j as usize]);
             check.reciprocity = check.reciprocity.max(apart);
         }
     }
@@ -129,25 +170,29 @@ fn check(scene: &Scene, matrix: &FaceMatrix) -> Check {
 }
 
 /// NumPy's format, version 1.0: a header that fills up 64 bytes, then the numbers.
-fn npy(matrix: &FaceMatrix) -> Vec<u8> {
-    let n = matrix.n;
+fn npy(matrix: &FaceMatrix, file: &mut dyn Write) -> io::Result<()> {
+    let n = matrix.rows.len();
     let header =
         format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({n}, {n}), }}");
     let before = 10; // magic, version, length
     let length = (before + header.len() + 1).next_multiple_of(64) - before;
-    let mut bytes = Vec::with_capacity(before + length + 8 * matrix.factors.len());
-    bytes.extend(b"\x93NUMPY\x01\x00");
-    bytes.extend((length as u16).to_le_bytes());
-    bytes.extend(format!("{header:<width$}\n", width = length - 1).into_bytes());
-    bytes.extend(matrix.factors.iter().flat_map(|factor| factor.to_le_bytes()));
-    bytes
+    file.write_all(b"\x93NUMPY\x01\x00")?;
+    file.write_all(&(length as u16).to_le_bytes())?;
+    writeln!(file, "{header:<width$}", width = length - 1)?;
+    let mut dense = vec![0.0; n];
+    for row in &matrix.rows {
+        row.iter().for_each(|&(j, factor)| dense[j as usize] = factor);
+        dense.iter().try_for_each(|f: &f64| file.write_all(&f.to_le_bytes()))?;
+        row.iter().for_each(|&(j, _)| dense[j as usize] = 0.0);
+    }
+    Ok(())
 }
 
 /// `i,j,F`, one line for each factor that is not zero.
-fn csv(matrix: &FaceMatrix) -> String {
-    let mut text = String::from("i,j,F\n");
-    for (k, factor) in matrix.factors.iter().enumerate().filter(|(_, f)| **f != 0.0) {
-        let _ = writeln!(text, "{},{},{factor}", k / matrix.n, k % matrix.n);
+fn csv(matrix: &FaceMatrix, file: &mut dyn Write) -> io::Result<()> {
+    writeln!(file, "i,j,F")?;
+    for (i, row) in matrix.rows.iter().enumerate() {
+        row.iter().try_for_each(|(j, factor)| writeln!(file, "{i},{j},{factor}"))?;
     }
-    text
+    Ok(())
 }

@@ -1,7 +1,7 @@
 //! Where the command writes: standard output and error, the progress bar, files.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use radiosity::film::write_atomically;
+use radiosity::film::write_atomically_by;
 use std::io::{self, Write};
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -145,8 +145,16 @@ pub fn extension<'a>(path: &Path, known: &[&'a str]) -> Result<&'a str, Refusal>
 
 /// Writes a file, whole or not at all.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Refusal> {
+    write_by(path, |file| file.write_all(bytes))
+}
+
+/// Writes a file piece by piece, whole or not at all.
+pub fn write_by(
+    path: &Path,
+    pieces: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Refusal> {
     let _whole = uninterrupted();
-    write_atomically(path, bytes).map_err(|error| {
+    write_atomically_by(path, pieces).map_err(|error| {
         Refusal(format!(
             "{} cannot be written ({error}); choose another place",
             path.display()

@@ -120,14 +120,29 @@ pub fn png(picture: &RgbImage) -> Result<Vec<u8>, FilmError> {
 /// # Errors
 /// Those of the file system; nothing is left behind then.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    write_atomically_by(path, |file| file.write_all(bytes))
+}
+
+/// [`write_atomically`] of what `write` writes, piece by piece.
+///
+/// # Errors
+/// Those of the file system and of `write`; nothing is left behind then.
+pub fn write_atomically_by(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
     let name = path.file_name().ok_or(io::ErrorKind::InvalidFilename)?;
     let mut hidden = OsString::from(".");
     hidden.push(name);
     hidden.push(format!(".{}.tmp", std::process::id()));
     let temporary = path.with_file_name(hidden);
-    let written = fs::File::create(&temporary)
-        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
-        .and_then(|()| fs::rename(&temporary, path));
+    let all = || {
+        let mut file = io::BufWriter::new(fs::File::create(&temporary)?);
+        write(&mut file)?;
+        file.into_inner()?.sync_all()?;
+        fs::rename(&temporary, path)
+    };
+    let written = all();
     if written.is_err() {
         // The first error is the one to report; there may be nothing to remove.
         let _ = fs::remove_file(&temporary);

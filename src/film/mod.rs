@@ -29,7 +29,7 @@ mod view;
 pub use compare::{Difference, compare, side_by_side};
 pub use draw::{colour_of_id, hemicube_cross};
 pub use false_colour::{FalseColour, luminance};
-pub use file::{FilmError, Format, png, write_atomically};
+pub use file::{FilmError, Format, png, write_atomically, write_atomically_by};
 pub use image::RgbImage;
 pub use view::Shot;
 

@@ -20,10 +20,12 @@
 //! Goral et al. 1984; Cohen & Greenberg 1985; Nishita & Nakamae 1985.
 
 pub mod analytic;
+pub mod area;
 mod blocker;
 mod blockers;
 mod bounds;
 pub mod cast;
+mod close;
 mod contour;
 pub mod hemicube;
 pub mod hybrid;
@@ -37,6 +39,7 @@ mod visible;
 
 pub use blocker::Blocker;
 pub use blockers::Blockers;
+pub use close::{Closing, close, closure};
 pub use contour::exchange_by_contour;
 pub use matrix::{Cached, Matrix, Row};
 pub use visible::lambert_visible;
@@ -85,8 +88,9 @@ pub fn ray_from(element: &Polygon, frame: &Frame, [a, b, c, d]: [f64; 4]) -> Ray
     Ray { origin: element.point_at([a, b]), direction }
 }
 
-/// How many rays count what methods without directions lose.
-const LOST_RAYS: usize = 256;
+/// How many rays count what methods without directions lose: the first tell whether
+/// anything is lost at all, as in a closed room it is not.
+const LOST_RAYS: [usize; 2] = [256, 2048];
 
 /// What leaves `element`, a piece of `patch`, and reaches no front: by rays, since
 /// Lambert's formula knows only what it is asked about. In a closed room exactly nothing.
@@ -99,11 +103,17 @@ fn lost_by_rays(
 ) -> Lost {
     let frame = Frame::about(element.normal());
     let mut lost = Lost::default();
-    for u in Stream::named(seed, &[name.0 as u64]).points(LOST_RAYS) {
-        match surfaces.closest(&ray_from(element, &frame, u), Some(patch)) {
-            None => lost.escaped += 1.0 / LOST_RAYS as f64,
-            Some(hit) if !hit.front => lost.absorbed += 1.0 / LOST_RAYS as f64,
-            Some(_) => {}
+    for rays in LOST_RAYS {
+        lost = Lost::default();
+        for u in Stream::named(seed, &[name.0 as u64]).points(rays) {
+            match surfaces.closest(&ray_from(element, &frame, u), Some(patch)) {
+                None => lost.escaped += 1.0 / rays as f64,
+                Some(hit) if !hit.front => lost.absorbed += 1.0 / rays as f64,
+                Some(_) => {}
+            }
+        }
+        if lost == Lost::default() {
+            break;
         }
     }
     lost

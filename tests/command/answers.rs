@@ -113,3 +113,25 @@ fn a_reader_that_leaves_early_is_no_failure() {
         assert!(output.status.success() && said.is_empty(), "{arguments}: {said}");
     }
 }
+
+/// A repair is done when it is named, and says what it did; in an open scene it would
+/// invent light.
+#[test]
+fn closing_is_reported_and_open_scenes_are_not_closed() {
+    let folder = Folder::new();
+    let asked = "form-factors l-room -o F.csv --tolerance 1e-3 --json";
+    let raw = folder.run(asked).done().json();
+    assert!(raw.get("close").is_none() && raw["closure_max"].as_f64() > Some(1e-6));
+    let closed = folder.run(&format!("{asked} --close")).done().json();
+    assert!(closed["closure_max"].as_f64() < Some(1e-12), "{closed:?}");
+    assert_eq!(closed["close"]["closure_before"], raw["closure_max"]);
+    let change = closed["close"]["largest_change"].as_f64().unwrap();
+    assert!((1e-9..1e-3).contains(&change), "{closed:?}");
+    // What was missed before still stands in the estimate of the error.
+    assert!(closed["error_estimate"].as_f64() >= raw["closure_max"].as_f64());
+
+    let open = folder.run("form-factors facing-squares -o G.csv --close");
+    assert_eq!(open.code, Some(1));
+    assert!(open.err.contains("--close would invent light"), "{open:?}");
+    assert_eq!(folder.names(), ["F.csv"]);
+}

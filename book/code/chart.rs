@@ -75,13 +75,30 @@ fn number(v: f64) -> String {
     if v < 5e-5 { format!("{v:.0e}") } else { format!("{v}") }
 }
 
+/// Errors below this stand on the lower edge: what is right to rounding has no error that
+/// a chart could show.
+const EXACT: f64 = 1e-7;
+
+/// A height for a label of so many letters at `x`: `y`, or as far above it as is free.
+fn free(placed: &mut Vec<[f64; 3]>, x: f64, mut y: f64, letters: usize) -> f64 {
+    let width = 7.0 * letters as f64;
+    let hits = |&[at, height, wide]: &[f64; 3], y: f64| {
+        (height - y).abs() < 12.0 && x < at + wide && at < x + width
+    };
+    while placed.iter().any(|label| hits(label, y)) {
+        y -= 4.0;
+    }
+    placed.push([x, y, width]);
+    y
+}
+
 /// The chart of these measurements.
 pub fn svg(title: &str, points: &[Point], across: &str, upward: &str) -> String {
     let [width, height, left, top] = PLOT;
     let x_axis = Axis::of(points.iter().map(|p| p.milliseconds));
-    let y_axis = Axis::of(points.iter().map(|p| p.error));
+    let y_axis = Axis::of(points.iter().map(|p| p.error.max(EXACT)));
     let x = |v: f64| left + width * x_axis.place(v);
-    let y = |v: f64| top + height * (1.0 - y_axis.place(v));
+    let y = |v: f64| top + height * (1.0 - y_axis.place(v.max(EXACT)));
     let (right, bottom) = (left + width, top + height);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 700 400\" width=\"700\" \
@@ -117,6 +134,7 @@ pub fn svg(title: &str, points: &[Point], across: &str, upward: &str) -> String 
     methods.sort_unstable();
     methods.dedup();
     let mut labels = String::new(); // last, so that no line runs over them
+    let mut placed = Vec::new();
     for (method, colour) in methods.iter().zip(COLOURS.iter().cycle()) {
         let of_method = points.iter().filter(|p| p.method == *method);
         let at: Vec<(f64, f64, &str)> =
@@ -138,13 +156,15 @@ pub fn svg(title: &str, points: &[Point], across: &str, upward: &str) -> String 
             let label =
                 if last { format!("{method}, {setting}") } else { setting.into() };
             if k == 0 || last {
-                let (dx, anchor) = if last { (8.0, "start") } else { (-8.0, "end") };
+                let wide = 7.0 * label.len() as f64;
+                let (anchor, start) =
+                    if last { ("start", x + 8.0) } else { ("end", x - 8.0 - wide) };
+                let y = free(&mut placed, start, y, label.len()) + 4.0;
+                let x = if last { start } else { x - 8.0 };
                 let _ = writeln!(
                     labels,
-                    "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" \
+                    "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" \
                      {HALO}>{label}</text>",
-                    x + dx,
-                    y + 4.0
                 );
             }
         }

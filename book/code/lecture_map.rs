@@ -65,11 +65,18 @@ pub const ROWS: [Row; 23] = [
             lab: Some("labs/solid-angle.md"),
         }),
     },
-    planned(
-        "radiometry: flux, irradiance, radiosity, radiance, and how they convert",
-        "Radiometry",
-        true,
-    ),
+    Row {
+        topic: "radiometry: flux, irradiance, radiosity, radiance, and how they convert",
+        title: "Radiometry",
+        lab: true,
+        state: State::Done(Written {
+            page: "radiometry.md",
+            module: "src/radiometry",
+            figure: "pictures/radiometry-height-1.snap.png",
+            test: ("src/radiometry/mod.rs", "conversions_go_round"),
+            lab: Some("labs/radiometry.md"),
+        }),
+    },
     planned("BRDF", "How surfaces scatter: the BRDF", true),
     planned(
         "albedo (reflectance); energy conservation",

@@ -9,6 +9,7 @@
 //! | [`chart`]       | speed against accuracy, as SVG                               |
 //! | [`cornell`]     | the picture on the first page                                |
 //! | [`map`]         | a number for each pixel, in false colour                     |
+//! | [`ledger`]      | where the light went, as a table                             |
 //! | [`light`]       | figures and numbers of the chapters L01 to L03               |
 //! | [`factors`]     | figures and numbers of the chapter on form factors           |
 //! | [`timing`]      | time and error of a call, for the charts                     |
@@ -24,6 +25,7 @@ pub mod factors;
 pub mod generated;
 pub mod hemicube;
 pub mod html;
+pub mod ledger;
 pub mod lecture_map;
 pub mod light;
 pub mod map;
@@ -41,6 +43,7 @@ mod pages {
     pages! {
         index: "index.md",
         solid_angle: "solid-angle.md",
+        radiometry: "radiometry.md",
         form_factors: "form-factors.md",
         hemicube: "hemicube.md",
         labs_solid_angle: "labs/solid-angle.md",

@@ -8,7 +8,7 @@ mod picture;
 use book::cornell;
 use book::factors::{answers, errors, nusselt, pair, shadow};
 use book::hemicube::{sheet, table, view};
-use book::light::{panorama, pieces};
+use book::light::{lamp, panorama, pieces};
 use glam::{DVec3, dvec3};
 use picture::assert_picture;
 use radiosity::form_factor::analytic::lambert_polygon;
@@ -183,4 +183,28 @@ fn a_shared_edge_divides_the_methods() {
     }
     let (_, largest) = pair::random_pairs(100_000, 0);
     assert!(largest > 300.0 * exact, "{largest}");
+}
+
+/// Irradiance falls with the height; the lamp's radiance does not.
+#[test]
+fn a_lamp_over_a_floor() {
+    for (k, height) in lamp::HEIGHTS.into_iter().enumerate() {
+        let picture = lamp::picture(height, lamp::Rule::Right);
+        assert_picture(PICTURES, &format!("radiometry-height-{k}"), &picture);
+    }
+}
+
+/// Who forgets π is off by it everywhere; who forgets the cosine, by 1/cos of the slant:
+/// little below the lamp, threefold in the corners, where it is √(2² + 2² + 1).
+#[test]
+fn forgotten_factors_have_their_size() {
+    let pi = std::f64::consts::PI;
+    assert!(lamp::wrong(lamp::Rule::NoPi).iter().all(|r| (r - pi).abs() < 1e-12));
+    let [below, corner] = lamp::wrong(lamp::Rule::NoCosine);
+    assert!((1.0..1.02).contains(&below), "{below}");
+    assert!((2.98..3.02).contains(&corner), "{corner}");
+    for (k, rule) in lamp::Rule::ALL.into_iter().enumerate() {
+        let name = format!("radiometry-rule-{k}");
+        assert_picture(PICTURES, &name, &lamp::picture(1.0, rule));
+    }
 }

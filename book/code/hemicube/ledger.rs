@@ -1,6 +1,6 @@
 //! The energy ledger of the chapter's scene, solved with hemicubes.
 
-use glam::DVec3;
+use crate::ledger::table;
 use radiosity::mesh::Mesh;
 use radiosity::scene::built_in;
 use radiosity::solve::{Factors, Ledger, Method, Options, Solution, solve_on};
@@ -16,27 +16,13 @@ fn solved(name: &str, max_edge: f64, factors: Factors) -> Solution {
 /// The ledger as a Markdown table.
 pub fn markdown() -> String {
     let solution = solved("cornell", 0.1, Factors::Hemicube(64));
-    let Ledger { emitted, absorbed, escaped, unshot, imbalance } = solution.ledger;
-    let line = |name: &str, w: DVec3| {
-        let share = 100.0 * w.element_sum() / emitted.element_sum();
-        format!("| {name} | {:.4} | {:.4} | {:.4} | {share:.2} % |\n", w.x, w.y, w.z)
-    };
     let mut text = format!(
         "`cornell`, {} elements (edges ≤ 0.1 m), hemicubes of resolution 64, \
-         gathered in {} sweeps:\n\n| power, W | red | green | blue | share |\n\
-         |---|---|---|---|---|\n",
+         gathered in {} sweeps:\n\n",
         solution.mesh.elements.len(),
         solution.steps
     );
-    for (name, watts) in [
-        ("emitted", emitted),
-        ("absorbed", absorbed),
-        ("escaped", escaped),
-        ("unshot", unshot),
-        ("imbalance", imbalance),
-    ] {
-        text.push_str(&line(name, watts));
-    }
+    text.push_str(&table(&solution));
     text.push_str(
         "\nThe imbalance alone, in the closed room `l-room` (edges ≤ 0.5 m):\n\n\
          | factors | imbalance |\n|---|---|\n",

@@ -2,9 +2,11 @@
 //! *Solid angle*, *Radiometry*.
 //!
 //! [`panorama`] unrolls the sphere of directions; [`pieces`] shows where a small surface
-//! is no longer small; [`rays`] samples; [`cost`] draws the charts.
+//! is no longer small; [`rays`] samples; [`lamp`]
+//! lights a floor; [`cost`] draws the charts.
 
 pub mod cost;
+pub mod lamp;
 pub mod panorama;
 pub mod pieces;
 pub mod rays;
@@ -21,6 +23,21 @@ pub fn files() -> Vec<(String, String)> {
     for (k, height) in panorama::HEIGHTS.into_iter().enumerate() {
         let name = format!("generated/solid-angle-lamp-{k}.md");
         files.push((name, panorama::lamp_caption(height)));
+    }
+    files.extend([
+        ("generated/radiometry-view.md".to_string(), lamp::caption()),
+        ("generated/radiometry-key.md".into(), lamp::key()),
+        ("generated/radiometry-cost.svg".into(), cost::irradiance()),
+        ("generated/radiometry-cost.md".into(), cost::irradiance_text()),
+        ("generated/radiometry-ledger.md".into(), lamp::ledger()),
+    ]);
+    for (k, height) in lamp::HEIGHTS.into_iter().enumerate() {
+        let name = format!("generated/radiometry-height-{k}.md");
+        files.push((name, lamp::height_caption(height)));
+    }
+    for (k, rule) in lamp::Rule::ALL.into_iter().enumerate() {
+        let name = format!("generated/radiometry-rule-{k}.md");
+        files.push((name, lamp::wrong_caption(rule)));
     }
     for cuts in pieces::CUTS {
         let name = format!("generated/solid-angle-pieces-{cuts}.md");

@@ -49,6 +49,7 @@ mod pages {
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",
         labs_lambert: "labs/lambert.md",
+        labs_sampling: "labs/sampling.md",
         labs_hemicube: "labs/hemicube.md",
         notation: "notation.md",
         bibliography: "bibliography.md",

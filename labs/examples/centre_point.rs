@@ -6,14 +6,12 @@
 //! ```
 //! Change the distances, and look at what follows.
 
+use labs::lab::chosen;
 use labs::lambert::report::{Factors, opposed};
 use labs::lambert::{answer, starter};
 
 fn main() {
-    let work = match std::env::args().nth(1) {
-        Some(_) => &answer::WORK,
-        None => &starter::WORK,
-    };
+    let work = chosen(&starter::WORK, &answer::WORK);
     println!("distance   from the centre    from all of it     error");
     for distance in [0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0] {
         let Factors { from_centre, exact } = opposed(work, distance);

@@ -6,14 +6,12 @@
 //! ```
 //! Change the sizes, and look at what follows.
 
+use labs::lab::chosen;
 use labs::solid_angle::report::errors;
 use labs::solid_angle::{answer, starter};
 
 fn main() {
-    let work = match std::env::args().nth(1) {
-        Some(_) => &answer::WORK,
-        None => &starter::WORK,
-    };
+    let work = chosen(&starter::WORK, &answer::WORK);
     println!("   edge   A cosθ/r²   your triangle   by the cosine");
     for exponent in 0..8 {
         let size = 0.1_f64.powi(exponent);

@@ -8,12 +8,10 @@
 
 use labs::hemicube::report::small_squares;
 use labs::hemicube::{answer, starter};
+use labs::lab::chosen;
 
 fn main() {
-    let work = match std::env::args().nth(1) {
-        Some(_) => &answer::WORK,
-        None => &starter::WORK,
-    };
+    let work = chosen(&starter::WORK, &answer::WORK);
     println!("   n   side   missed   rms error");
     for side in [0.02, 0.1] {
         for n in [32, 64, 128] {

@@ -6,14 +6,12 @@
 //! ```
 //! Change the sizes, and look at what follows.
 
+use labs::lab::chosen;
 use labs::radiometry::report::suns;
 use labs::radiometry::{answer, starter};
 
 fn main() {
-    let work = match std::env::args().nth(1) {
-        Some(_) => &answer::WORK,
-        None => &starter::WORK,
-    };
+    let work = chosen(&starter::WORK, &answer::WORK);
     println!("half-angle   rings   missed   rms error");
     for degrees in [0.27_f64, 1.0, 5.0] {
         for rings in [32, 64, 128] {

@@ -166,6 +166,12 @@ impl<W: Sync> Kit for Works<W> {
     }
 }
 
+/// Whose work an example is to run: the student's, or the answer's when the command line
+/// has an argument.
+pub fn chosen<'a, W>(starter: &'a W, answer: &'a W) -> &'a W {
+    if std::env::args().len() > 1 { answer } else { starter }
+}
+
 impl Lab {
     /// The lab of this name.
     pub fn named(name: &str) -> Option<&'static Lab> {

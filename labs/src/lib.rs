@@ -33,11 +33,17 @@ pub mod proof;
 pub mod solid_angle;
 pub mod radiometry;
 pub mod lambert;
+pub mod sampling;
 pub mod hemicube;
 
 pub use check::{Bug, Verdict};
 pub use lab::{Lab, Who};
 
 /// All labs, in the order of the course. A new lab is one more line.
-pub const LABS: &[&Lab] =
-    &[&solid_angle::LAB, &radiometry::LAB, &lambert::LAB, &hemicube::LAB];
+pub const LABS: &[&Lab] = &[
+    &solid_angle::LAB,
+    &radiometry::LAB,
+    &lambert::LAB,
+    &sampling::LAB,
+    &hemicube::LAB,
+];

@@ -4,7 +4,9 @@
 use crate::lab::{Lab, Who};
 use crate::run::{ENDLESS, Runner, Test};
 use std::collections::BTreeSet;
+use std::num::NonZero;
 use std::path::Path;
+use std::thread;
 use std::time::Duration;
 
 /// Generous, for a busy machine: only endless work meets it.
@@ -42,14 +44,33 @@ pub fn prove(
         };
         note("starter", starter_fails(lab, &play(&Who::Starter, LIMIT)?, worked));
         note("answer", passes(&play(&Who::Answer, LIMIT)?));
-        for (name, _, named) in lab.kit.wrong() {
+        let wrong = lab.kit.wrong();
+        let played = side_by_side(&wrong, |(name, _, named)| {
             let endless = named.contains(&ENDLESS);
-            let limit = if endless { SHORT } else { LIMIT };
-            let tests = play(&Who::Wrong(name.into()), limit)?;
-            note(name, is_named(&tests, named.iter().map(|bug| bug.name).collect()));
+            play(&Who::Wrong(name.to_string()), if endless { SHORT } else { LIMIT })
+        });
+        for ((name, _, named), tests) in wrong.iter().zip(played) {
+            note(name, is_named(&tests?, named.iter().map(|bug| bug.name).collect()));
         }
     }
     Ok((proven, failed))
+}
+
+/// `f` of each item, in order, on as many threads as there are cores.
+fn side_by_side<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let threads = thread::available_parallelism().map_or(1, NonZero::get);
+    let share = |first: usize| {
+        let mine = (first..items.len()).step_by(threads);
+        mine.map(|k| (k, f(&items[k]))).collect::<Vec<_>>()
+    };
+    let mut done: Vec<(usize, R)> = thread::scope(|scope| {
+        let spawn = |first| scope.spawn(move || share(first));
+        let shares: Vec<_> = (0..threads).map(spawn).collect();
+        // A share panics only where `f` does; then so does this.
+        shares.into_iter().flat_map(|s| s.join().expect("no panic")).collect()
+    });
+    done.sort_by_key(|&(k, _)| k);
+    done.into_iter().map(|(_, result)| result).collect()
 }
 
 /// Does every task have a check and a hint, every check a task and a name of its own,

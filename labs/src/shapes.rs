@@ -1,9 +1,16 @@
 //! Surfaces to look at: closed ones, and an outline that is not convex.
 
 use crate::draw::{direction, frame, uniform, whole_number};
-use radiosity::prelude::{DVec3, Frame, dvec3};
+use radiosity::prelude::{DVec3, Frame, Polygon, dvec3};
 use radiosity::random::Stream;
 use std::f64::consts::TAU;
+
+/// A rectangle from `corner` along `a` and `b`; its front is along a × b.
+pub fn rectangle(corner: DVec3, a: DVec3, b: DVec3) -> Polygon {
+    // Two edges at right angles always span a polygon.
+    Polygon::new(vec![corner, corner + a, corner + a + b, corner + b])
+        .expect("a rectangle")
+}
 
 /// An L in the plane z = 0, counter-clockwise seen from above: the square (0, 0) to (w, d)
 /// less its corner beyond (u, v).

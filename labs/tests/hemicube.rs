@@ -7,6 +7,7 @@ use labs::hemicube::given::{
     Fragment, Item, StudentHemicube, Weights, exact_side, exact_top, table,
 };
 use labs::hemicube::{Work, answer, checks, report::small_squares};
+use labs::shapes::rectangle;
 use radiosity::form_factor::FormFactors;
 use radiosity::form_factor::hemicube as library;
 use radiosity::material::{Coefficients, Material};
@@ -18,11 +19,6 @@ use std::f64::consts::{PI, TAU};
 
 fn sum(weights: &Weights) -> f64 {
     weights.top.iter().sum::<f64>() + 4.0 * weights.side.iter().sum::<f64>()
-}
-
-fn square(corner: DVec3, a: DVec3, b: DVec3) -> Polygon {
-    Polygon::new(vec![corner, corner + a, corner + a + b, corner + b])
-        .expect("a square")
 }
 
 fn mesh_of(polygons: &[Polygon]) -> Mesh {
@@ -136,13 +132,13 @@ fn the_answer_agrees_with_the_library() {
     let (x, y, z) = (DVec3::X * 1.1, DVec3::Y * 0.9, DVec3::Z * 1.3);
     let o = DVec3::ZERO;
     let walls = [
-        square(o, x, y),
-        square(z, y, x),
-        square(o, y, z),
-        square(x, z, y),
-        square(o, z, x),
-        square(y, x, z),
-        square(dvec3(0.3, 0.2, 0.5), DVec3::X * 0.3, DVec3::Y * 0.4), // a card, face up
+        rectangle(o, x, y),
+        rectangle(z, y, x),
+        rectangle(o, y, z),
+        rectangle(x, z, y),
+        rectangle(o, z, x),
+        rectangle(y, x, z),
+        rectangle(dvec3(0.3, 0.2, 0.5), DVec3::X * 0.3, DVec3::Y * 0.4), // a card, face up
     ];
     let mesh = mesh_of(&walls);
     let theirs = library::Hemicube::classic(&mesh, N as u32);

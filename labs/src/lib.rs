@@ -8,8 +8,10 @@
 //! | `given.rs`   | what the student is given                                         |
 //! | `starter.rs` | what the student edits: it compiles, and fails every task         |
 //! | `answer.rs`  | one right answer                                                  |
+//! | `bugs.rs`    | the mistakes that can be named                                    |
 //! | `checks.rs`  | the checks; each failure names the likely [`Bug`]                 |
 //! | `wrong.rs`   | played students: each makes one mistake, which must be named      |
+//! | `report.rs`  | the experiment of the report question                             |
 //!
 //! and its brief is a page of the book, `book/src/labs/NAME.md`.
 //!

@@ -9,6 +9,7 @@ use labs::sampling::report::{bars, parallel, touching};
 use labs::sampling::{Work, answer, checks};
 use radiosity::prelude::dvec2;
 use radiosity::radiometry::cosine_direction;
+use radiosity::random::Stream;
 
 #[test]
 fn other_right_answers_pass() {
@@ -40,6 +41,18 @@ fn other_right_answers_pass() {
 
 fn mean([a, b]: [Estimate; 2]) -> Estimate {
     Estimate { mean: 0.5 * (a.mean + b.mean), error: 0.5 * a.error.hypot(b.error) }
+}
+
+/// The number that the brief tells lecturers to look out for.
+#[test]
+fn even_directions_find_little_more_than_half() {
+    let mut played = labs::sampling::wrong::ALL.iter();
+    let even = played.find(|played| played.name == "even-directions");
+    let mut stream = Stream::named(1, &[]);
+    let pair = parallel().pair;
+    let found = even.map(|even| (even.work.by_rays)(&pair, 100_000, &mut stream));
+    let mean = found.map_or(0.0, |found| found.mean);
+    assert!((mean - 0.112).abs() < 0.005, "{mean}");
 }
 
 /// What is not a number never passes, and nobody is accused of it.

@@ -34,7 +34,7 @@ pub enum Seen {
 pub struct Estimate {
     /// The mean of the samples.
     pub mean: f64,
-    /// Its standard error: two of three means lie within it, 19 of 20 within twice it.
+    /// Its standard error: two of three lie within it, 19 of 20 within twice it.
     pub error: f64,
 }
 // ANCHOR_END: estimate

@@ -110,6 +110,7 @@ impl Material {
                 return Err(MaterialError::NotANumber { material: name, key, value });
             }
         }
+        // ANCHOR: passive
         if diffuse.max_element() >= 1.0 {
             return Err(MaterialError::Diffuse { material: name, value: diffuse });
         }
@@ -117,6 +118,7 @@ impl Material {
         if sum.max_element() > 1.0 + 1e-9 {
             return Err(MaterialError::NotPassive { material: name, sum });
         }
+        // ANCHOR_END: passive
         Ok(Material { name, coefficients })
     }
 

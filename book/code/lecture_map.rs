@@ -48,11 +48,18 @@ const fn planned(topic: &'static str, title: &'static str, lab: bool) -> Row {
 
 /// The rows of the lecture in order; row `k` of the list is chapter `k + 1`.
 pub const ROWS: [Row; 23] = [
-    planned(
-        "what radiosity assumes: diffuse surfaces, a closed scene, no medium",
-        "What radiosity assumes",
-        false,
-    ),
+    Row {
+        topic: "what radiosity assumes: diffuse surfaces, a closed scene, no medium",
+        title: "What radiosity assumes",
+        lab: false,
+        state: State::Done(Written {
+            page: "assumptions.md",
+            module: "src/solve/mod.rs",
+            figure: "pictures/assumptions-eye-0.snap.png",
+            test: ("book/tests/figures.rs", "one_solution_serves_two_eyes"),
+            lab: None,
+        }),
+    },
     Row {
         topic: "solid angle",
         title: "Solid angle",

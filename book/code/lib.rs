@@ -42,6 +42,7 @@ mod pages {
     }
     pages! {
         index: "index.md",
+        assumptions: "assumptions.md",
         solid_angle: "solid-angle.md",
         radiometry: "radiometry.md",
         form_factors: "form-factors.md",

@@ -8,7 +8,7 @@ mod picture;
 use book::cornell;
 use book::factors::{answers, errors, nusselt, pair, shadow};
 use book::hemicube::{sheet, table, view};
-use book::light::{lamp, panorama, pieces};
+use book::light::{assumptions, lamp, panorama, pieces};
 use glam::{DVec3, dvec3};
 use picture::assert_picture;
 use radiosity::form_factor::analytic::lambert_polygon;
@@ -206,5 +206,34 @@ fn forgotten_factors_have_their_size() {
     for (k, rule) in lamp::Rule::ALL.into_iter().enumerate() {
         let name = format!("radiometry-rule-{k}");
         assert_picture(PICTURES, &name, &lamp::picture(1.0, rule));
+    }
+}
+
+#[test]
+fn one_solution_serves_two_eyes() {
+    let solution = assumptions::solved(assumptions::FINE);
+    for (k, camera) in assumptions::cameras().into_iter().enumerate() {
+        let picture = assumptions::picture(&solution, camera);
+        assert_picture(PICTURES, &format!("assumptions-eye-{k}"), &picture);
+    }
+    let camera = assumptions::cameras()[0];
+    for (k, edge) in assumptions::COARSE.into_iter().enumerate() {
+        let picture = assumptions::picture(&assumptions::solved(edge), camera);
+        assert_picture(PICTURES, &format!("assumptions-edge-{k}"), &picture);
+    }
+}
+
+/// Failure 41: the right mean in each element, and still an error that only halves when
+/// the elements are halved.
+#[test]
+fn one_number_for_an_element_is_first_order() {
+    for cuts in [8, 16] {
+        let [coarse, fine] =
+            [cuts, 2 * cuts].map(|c| assumptions::rms(&assumptions::errors(c)));
+        assert!((1.7..3.0).contains(&(coarse / fine)), "{cuts}: {coarse} {fine}");
+    }
+    for cuts in assumptions::CUTS {
+        let picture = assumptions::error_picture(cuts);
+        assert_picture(PICTURES, &format!("assumptions-error-{cuts}"), &picture);
     }
 }

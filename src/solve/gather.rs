@@ -44,10 +44,12 @@ impl<'a> Gather<'a> {
     }
 
     fn sweep(&mut self) {
+        // ANCHOR: sweep
         for i in 0..self.radiosity.len() {
             let (e, rho) = (self.enclosure.emission[i], self.enclosure.reflectance[i]);
             self.radiosity[i] = e + rho * self.gathered(i);
         }
+        // ANCHOR_END: sweep
     }
     // ANCHOR_END: gather
 }

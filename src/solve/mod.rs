@@ -38,12 +38,14 @@ use crate::scene::Scene;
 /// The knowns of the radiosity equation but for the form factors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enclosure {
+    // ANCHOR: knowns
     /// `A_i`, scene units squared.
     pub area: Vec<f64>,
     /// `E_i`, emitted radiosity, W/m².
     pub emission: Vec<Rgb>,
     /// `ρ_i`, diffuse reflectance, in `[0, 1)`.
     pub reflectance: Vec<Rgb>,
+    // ANCHOR_END: knowns
 }
 
 impl Enclosure {

@@ -3,8 +3,9 @@
 //!
 //! [`panorama`] unrolls the sphere of directions; [`pieces`] shows where a small surface
 //! is no longer small; [`rays`] samples; [`lamp`]
-//! lights a floor; [`cost`] draws the charts.
+//! lights a floor; [`assumptions`] shows one number for each element; [`cost`] draws the charts.
 
+pub mod assumptions;
 pub mod cost;
 pub mod lamp;
 pub mod panorama;
@@ -38,6 +39,21 @@ pub fn files() -> Vec<(String, String)> {
     for (k, rule) in lamp::Rule::ALL.into_iter().enumerate() {
         let name = format!("generated/radiometry-rule-{k}.md");
         files.push((name, lamp::wrong_caption(rule)));
+    }
+    files.extend([
+        ("generated/assumptions-key.md".to_string(), assumptions::key()),
+        ("generated/assumptions-cost.md".into(), assumptions::cost()),
+        ("generated/assumptions-ledger.md".into(), assumptions::ledger()),
+    ]);
+    for (k, edge) in
+        assumptions::COARSE.into_iter().chain([assumptions::FINE]).enumerate()
+    {
+        let name = format!("generated/assumptions-edge-{k}.md");
+        files.push((name, assumptions::edge_caption(edge)));
+    }
+    for cuts in assumptions::CUTS {
+        let name = format!("generated/assumptions-error-{cuts}.md");
+        files.push((name, assumptions::error_caption(cuts)));
     }
     for cuts in pieces::CUTS {
         let name = format!("generated/solid-angle-pieces-{cuts}.md");

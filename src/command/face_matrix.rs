@@ -7,7 +7,7 @@
 //! | method   | a factor is found by                      | its error is estimated by       |
 //! |----------|-------------------------------------------|---------------------------------|
 //! | analytic | adaptive integration of visible parts     | the last refinement's change    |
-//! | hemicube | hemicubes at points all over i            | points half as dense a side     |
+//! | hemicube | hemicubes at points all over i            | a quarter of them, half as fine |
 //! | sampling | rays from random points of i              | the scatter of sixteen batches  |
 
 use super::output::Terminal;
@@ -16,9 +16,11 @@ use radiosity::form_factor::FormFactors;
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::cast::Cast;
 use radiosity::form_factor::hemicube::Hemicube;
+use radiosity::glam::DVec3;
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::scene::Scene;
 use rayon::prelude::*;
+use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Form factors between faces: what is not zero, row by row, in order of columns.
@@ -74,6 +76,15 @@ pub fn is_open(scene: &Scene, seed: u64) -> bool {
         let lost = cast.row(ElementId(i as u32), &mut vec![0.0; n]);
         lost.escaped + lost.absorbed > 0.0
     })
+}
+
+/// A part of a surface.
+type Triangle = [DVec3; 3];
+
+/// A triangle cut along the middles of its edges.
+fn quarters(&[a, b, c]: &Triangle) -> [Triangle; 4] {
+    let (d, e, f) = (a.midpoint(b), b.midpoint(c), c.midpoint(a));
+    [[a, d, f], [d, b, e], [f, e, c], [e, f, d]]
 }
 
 /// An error that the closed forms are known to stay below, relative.
@@ -139,49 +150,69 @@ impl Faces<'_> {
         FaceMatrix { rows, error }
     }
 
-    /// Cells along the edge of a hemicube. Each hemicube is turned by an angle of its own,
-    /// so that what cells cannot resolve averages out.
+    /// Cells along the edge of a hemicube, at the end.
     const RESOLUTION: u32 = 256;
 
     /// About so many hemicubes are drawn at the most: half a minute's work.
-    const MOST_HEMICUBES: f64 = 65_536.0;
+    const MOST_HEMICUBES: usize = 1 << 16;
 
+    /// Hemicubes four times as many in each round, until the factors settle.
+    ///
+    /// The first round has half the resolution, so that it counts what that changes, too.
+    /// No factor is known better than by one cell, the largest of which has `4/(π R²)`.
+    /// Pairs that all but touch settle on a wrong value: their points are too few.
     fn hemicube(&self, wanted: &Wanted) -> FaceMatrix {
-        let mut edge = 0.25 * self.scene.diagonal();
-        let mut before = self.hemicube_at(edge, wanted.seed);
+        let cell = 4.0 / (PI * (Faces::RESOLUTION as f64).powi(2));
+        let mut triangles = self.triangles();
+        let coarse = Faces::RESOLUTION / 2;
+        let mut before = self.hemicubes_at(&triangles, coarse, wanted.seed);
+        let mut round = 1;
         loop {
-            edge *= 0.5;
-            let rows = self.hemicube_at(edge, wanted.seed);
-            let error = largest_difference(&before, &rows);
-            let next = 4.0 * Mesh::count_uniform(self.scene, 0.5 * edge);
-            if error <= wanted.tolerance || next > Faces::MOST_HEMICUBES {
+            let fours =
+                |parts: &Vec<Triangle>| parts.iter().flat_map(quarters).collect();
+            triangles = triangles.iter().map(fours).collect();
+            let rows = self.hemicubes_at(&triangles, Faces::RESOLUTION, wanted.seed);
+            let error = largest_difference(&before, &rows).max(cell);
+            let next = 4 * triangles.iter().map(Vec::len).sum::<usize>();
+            // Two rounds agree by chance more often than three.
+            if (round > 1 && error <= wanted.tolerance) || next > Faces::MOST_HEMICUBES
+            {
                 return FaceMatrix { rows, error };
             }
-            before = rows;
+            (before, round) = (rows, round + 1);
         }
     }
 
-    /// The mean over each surface of hemicubes, some on each of its cells, whose edges are
-    /// `edge` at the most and which end where another surface stands on it.
-    ///
-    /// A cell is cut into triangles about its middle, and each has a hemicube at its
-    /// centroid: exact for light that changes linearly, whatever the outline.
-    fn hemicube_at(&self, edge: f64, seed: u64) -> Vec<SparseRow> {
-        let cells = Mesh::uniform(self.scene, edge);
-        let method = Hemicube::new(&self.mesh, Faces::RESOLUTION).turned(seed);
+    /// Each surface as triangles, none of which another surface stands on, and large
+    /// surfaces as more of them.
+    fn triangles(&self) -> Vec<Vec<Triangle>> {
+        let cells = Mesh::uniform(self.scene, 0.125 * self.scene.diagonal());
+        let about_middle = |k: u32| {
+            let cell = &cells.elements[k as usize].polygon;
+            let middle = cell.centroid();
+            cell.edges().map(move |(a, b)| [a, b, middle])
+        };
+        let patches = cells.patches.iter();
+        patches.map(|p| p.elements.clone().flat_map(about_middle).collect()).collect()
+    }
+
+    /// The mean over each surface of hemicubes at the centroids of its triangles: exact for
+    /// light that changes linearly. Each hemicube is turned by an angle of its own, so that
+    /// what its cells cannot resolve averages out.
+    fn hemicubes_at(
+        &self,
+        triangles: &[Vec<Triangle>],
+        resolution: u32,
+        seed: u64,
+    ) -> Vec<SparseRow> {
+        let method = Hemicube::new(&self.mesh, resolution).turned(seed);
         self.by_rows(|surface, add| {
-            let surface = &cells.patches[surface];
-            let of_cell = |k: u32| cells.elements[k as usize].polygon.area();
-            let area: f64 = surface.elements.clone().map(of_cell).sum();
+            let polygon = &self.mesh.elements[surface].polygon;
             let mut seen = vec![0.0; self.mesh.elements.len()];
-            for k in surface.elements.clone() {
-                let cell = &cells.elements[k as usize].polygon;
-                let middle = cell.centroid();
-                for (a, b) in cell.edges() {
-                    let part = 0.5 * (a - middle).cross(b - middle).length();
-                    method.at((a + b + middle) / 3.0, cell.normal(), &mut seen);
-                    add(&seen, part / area);
-                }
+            for &[a, b, c] in &triangles[surface] {
+                let area = 0.5 * (b - a).cross(c - a).length();
+                method.at((a + b + c) / 3.0, polygon.normal(), &mut seen);
+                add(&seen, area / polygon.area());
             }
         })
     }
@@ -209,10 +240,11 @@ impl Faces<'_> {
     /// among ten thousand factors none is likely to be off by more.
     fn sampling_by(&self, rays: usize, seed: u64) -> FaceMatrix {
         let batches = Faces::BATCHES as f64;
+        let per_batch = rays.div_ceil(Faces::BATCHES);
         let mut sum: Vec<Vec<(u32, f64, f64)>> = vec![Vec::new(); self.len()];
         for batch in 0..Faces::BATCHES as u64 {
             let seed = seed.wrapping_mul(Faces::BATCHES as u64).wrapping_add(batch);
-            let cast = Cast::new(&self.mesh, rays.div_ceil(Faces::BATCHES), seed);
+            let cast = Cast::new(&self.mesh, per_batch, seed);
             let rows = self.by_rows(|surface, add| {
                 let mut row = vec![0.0; self.mesh.elements.len()];
                 cast.row(ElementId(surface as u32), &mut row);
@@ -234,7 +266,9 @@ impl Faces<'_> {
             row.into_iter().map(mean).collect()
         };
         let rows = sum.into_iter().map(mean).collect();
-        FaceMatrix { rows, error: 4.0 * (variance / batches).sqrt() }
+        // What no ray has met may be as large as what a few would have shown.
+        let unseen = 4.0 / (batches * per_batch as f64);
+        FaceMatrix { rows, error: unseen.max(4.0 * (variance / batches).sqrt()) }
     }
 
     /// Rows between faces from rows between surfaces: `row(surface, add)` calls

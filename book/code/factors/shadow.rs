@@ -49,7 +49,7 @@ pub fn cut_picture() -> RgbImage {
 pub fn cut() -> (f64, f64) {
     let (lamp, boards) = (lamp(), boards());
     let seen = |w| meets(&lamp, w) && !boards.iter().any(|board| meets(board, w));
-    let blockers = boards.each_ref().map(|board| Blocker::sheet(board));
+    let blockers = boards.each_ref().map(Blocker::sheet);
     let exact = lambert_visible(DVec3::ZERO, DVec3::Z, &lamp, &blockers.each_ref()[..]);
     (counted(seen), exact)
 }

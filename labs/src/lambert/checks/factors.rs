@@ -139,7 +139,7 @@ pub fn known(work: &Work, stream: &mut Stream) -> Verdict {
 
 /// The tables' polygons on the horizon, and others that it cuts.
 pub fn tables(work: &Work, stream: &mut Stream) -> Verdict {
-    let others: Vec<View> = (0..20).map(|_| View::draw_cut(stream)).collect();
+    let others: Vec<View> = (0..60).map(|_| View::draw_cut(stream)).collect();
     // The others first: a table has too few for telling one mistake from another.
     judge_library(&others, |view| form_factor(work, view))
         .and(|| of_tables(stream, CUT, |view| form_factor(work, view)))

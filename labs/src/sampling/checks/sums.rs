@@ -29,6 +29,13 @@ pub enum Of {
 }
 
 impl Of {
+    fn others(self) -> Of {
+        match self {
+            Of::Open => Of::Hidden,
+            Of::Hidden => Of::Open,
+        }
+    }
+
     fn pairs(self, stream: &mut Stream) -> Vec<Known> {
         match self {
             Of::Open => open(stream),
@@ -263,12 +270,17 @@ pub fn means(work: &Work, stream: &mut Stream, method: Method, of: Of) -> Verdic
             format!("{}: got {got:.5}, due {:.5}", known.name, known.factor)
         })
         .collect();
+    // The others too: the more pairs, the fewer mistakes explain them all.
+    let (mut pairs, mut got) = (pairs, got);
+    pairs.extend(of.others().pairs(stream));
+    let more: Vec<f64> = pairs[got.len()..].iter().map(|k| run(k, stream)).collect();
+    got.extend(more);
     let bug = suspected(&pairs, &got, method);
     Verdict { message: Some(told.join("; ")), bug, ..verdict }
 }
 
-/// The mistake that gives these means, within five of its own standard errors; a share of
-/// 0.4 % is allowed for the scatter of ours.
+/// The mistake that gives these means, within five of its own standard errors; for the
+/// scatter of ours 0.4 % is allowed, and half a sample.
 fn suspected(pairs: &[Known], got: &[f64], method: Method) -> Option<Bug> {
     let wrong = match method {
         Method::Rays => wrong_rays,
@@ -278,7 +290,9 @@ fn suspected(pairs: &[Known], got: &[f64], method: Method) -> Option<Bug> {
     let off = |suspect: usize| {
         let of = |(got, all): (&f64, &Vec<(Bug, Stat)>)| {
             let Stat { mean, scatter } = all[suspect].1;
-            let error = scatter / (SAMPLES as f64).sqrt() + 0.004 * mean.abs() + 1e-9;
+            let error = scatter / (SAMPLES as f64).sqrt()
+                + 0.004 * mean.abs()
+                + 0.5 / OURS as f64;
             (got - mean).abs() / error
         };
         let all = got.iter().zip(&each).map(of);

@@ -5,6 +5,10 @@
 //! incoherent rays on one thread, 1.17 million closest hits a second, against 0.74 (`bvh`
 //! 0.13) and 0.22 (`obvhs` 0.4 in f32, which lost 11 hits that both others found).
 //!
+//! ```text
+//! V(x, y) = 1 when nothing lies on the open segment from x to y, else 0
+//! ```
+//!
 //! | method                     | use it when                             | it fails when |
 //! |----------------------------|-----------------------------------------|---------------|
 //! | [`Visibility::closest`]    | which surface does this ray meet first? | never         |

@@ -139,7 +139,7 @@ pub fn solve_on(
     let method: Box<dyn FormFactors + '_> = match options.factors {
         Factors::Analytic => {
             let tolerance = 0.02 / n as f64;
-            Box::new(Analytic::new(scene, &mesh, tolerance, options.seed))
+            Box::new(Analytic::new(scene, &mesh, tolerance, options.seed).sharp())
         }
         Factors::Sampling(rays) => Box::new(Cast::new(&mesh, rays, options.seed)),
         Factors::Hemicube(resolution) => Box::new(Hemicube::new(&mesh, resolution)),

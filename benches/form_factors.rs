@@ -24,7 +24,7 @@ fn main() {
         matrices(
             "Cornell room, tiled",
             &tiled("cornell-regular", 1700.0),
-            &[1e-5, 5e-6],
+            &[1e-4, 3e-5, 1e-5],
             1e-7,
         );
         hemicubes();

@@ -6,6 +6,7 @@ use common::rooms::{rectangle, unit_square};
 use common::{cases, has_tag, pieces, point, polygon, within};
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::analytic::{exchange, lambert_polygon};
+use radiosity::form_factor::named;
 use radiosity::geometry::Polygon;
 
 /// Gate of the tables: 1e-9 relative, 1e-6 where a case is marked extreme.
@@ -120,4 +121,35 @@ fn from_the_middle() {
     let middle = dvec3(0.5, 0.5, 0.0);
     let got = lambert_polygon(middle, DVec3::Z, &unit_square(1.0, false));
     assert!((got - 0.239456470460774).abs() < 1e-14, "{got}");
+}
+
+/// Strips up to a thousand times as long as wide, near and far, face to face and sharing
+/// their long or their short edge: 1e-10 absolute, as everywhere.
+#[test]
+fn slender_strips() {
+    let rectangle = |corners: [[f64; 3]; 4]| {
+        Polygon::new(corners.map(|[x, y, z]| dvec3(x, y, z)).to_vec()).unwrap()
+    };
+    for aspect in [1.0, 10.0, 100.0, 1000.0] {
+        let (a, b) = (aspect, 1.0);
+        let floor = rectangle([[0., 0., 0.], [a, 0., 0.], [a, b, 0.], [0., b, 0.]]);
+        for c in [1e-3, 0.1, 1.0, 30.0, 1000.0] {
+            let lid = rectangle([[0., 0., c], [0., b, c], [a, b, c], [a, 0., c]]);
+            let got = exchange(&floor, &lid, 1e-300) / floor.area();
+            let exact = named::parallel_rectangles(a, b, c);
+            assert!(
+                (got - exact).abs() < 1e-10,
+                "{a} × {b} at {c}: {got}, not {exact}"
+            );
+        }
+        for h in [1e-3, 1.0, 1000.0] {
+            let wall = rectangle([[0., 0., 0.], [0., 0., h], [a, 0., h], [a, 0., 0.]]);
+            let got = exchange(&floor, &wall, 1e-300) / floor.area();
+            let exact = named::perpendicular_rectangles(b, h, a);
+            assert!(
+                (got - exact).abs() < 1e-10,
+                "{a} × {b}, wall {h}: {got}, not {exact}"
+            );
+        }
+    }
 }

@@ -19,6 +19,39 @@ pub fn svg() -> String {
     )
 }
 
+/// What `cargo bench --bench form_factors` printed last: faces, and milliseconds a row.
+const SCALING: &str = include_str!("../../data/scaling-2026-11-22.csv");
+
+/// The chart of the time per row against the number of faces, as SVG. The columns of the
+/// CSV stand in the places of time and error.
+pub fn scaling_svg() -> String {
+    chart::svg(
+        "Time to find a row of analytic factors against the number of faces",
+        &chart::points(SCALING).expect("a line of the CSV does not fit"),
+        "faces",
+        "milliseconds for a row",
+    )
+}
+
+/// How the time per row grows from a thousand faces to the most: fitted exponents.
+pub fn scaling_text() -> String {
+    let points = chart::points(SCALING).expect("a line of the CSV does not fit");
+    let exponent = |method: &str| {
+        let mut of =
+            points.iter().filter(|p| p.method == method && p.milliseconds > 1e3);
+        let (first, last) =
+            (of.next().expect("measured"), of.next_back().expect("measured"));
+        (last.error / first.error).ln() / (last.milliseconds / first.milliseconds).ln()
+    };
+    format!(
+        "From a thousand faces on, the time of a row grows as faces to the power {:.2} in the \
+         empty box and {:.2} in the Cornell room: **more slowly than n log n**, since small \
+         faces are far from each other in their own sizes, and need fewer points.\n",
+        exponent("empty box"),
+        exponent("Cornell room"),
+    )
+}
+
 /// What the chart says, with its numbers.
 pub fn text() -> String {
     let points = measured();

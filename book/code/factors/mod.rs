@@ -25,6 +25,8 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/form-factors-answers.md".into(), answers::table()),
         ("generated/form-factors-cost.svg".into(), cost::svg()),
         ("generated/form-factors-cost.md".into(), cost::text()),
+        ("generated/form-factors-scaling.svg".into(), cost::scaling_svg()),
+        ("generated/form-factors-scaling.md".into(), cost::scaling_text()),
         ("generated/form-factors-ledger.md".into(), ledger::markdown()),
     ];
     for tilt in nusselt::TILTS {

@@ -16,7 +16,8 @@
 //! rounding; rows that are asked for one by one agree within the tolerance.
 //!
 //! **Use it when** a factor must be right, or the scene has few blockers.
-//! **It fails when** the scene has thousands of blockers in each shaft: then it is slow.
+//! **It fails when** shafts hold dozens of blockers: then it is slow. The matrix of 607
+//! faces, 100 boxes in a room, takes more than five minutes.
 
 use super::contour::exchange_by_contour;
 use super::quadrature::{over, points_for};

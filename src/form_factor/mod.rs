@@ -7,7 +7,8 @@
 //!
 //! | method        | use it when                           | it fails when                    |
 //! |---------------|---------------------------------------|----------------------------------|
-//! | [`analytic`]  | a factor must be right                | shafts hold thousands of blockers|
+//! | [`analytic`]  | a factor must be right                | shafts hold dozens of blockers   |
+//! | [`area`]      | one pair is due, past many blockers   | blockers reach into a shared edge|
 //! | [`hemicube`]  | all factors of a row are due, quickly | a patch has few cells: aliasing  |
 //! | [`pictures`]  | its cousins are to be compared        | as the hemicube                  |
 //! | [`hybrid`]    | the hemicube's large errors must go   | most pairs are near              |

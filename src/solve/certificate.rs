@@ -9,15 +9,15 @@
 //! the two residuals is `r²` on average, since independent errors do not correlate. (One
 //! residual squared would be too large by the variance of the gather.)
 //!
-//! Light that comes straight from emitters is summed exactly ([`lambert_visible`]), so that
-//! rays carry reflected light only, which varies little.
+//! Light that comes straight from emitters is summed exactly ([`Direct`]), so that rays
+//! carry reflected light only, which varies little.
 //!
 //! What is reported is relative to the reflected light: `‖B − B*‖/‖B* − E‖`. Relative to
 //! `‖B‖` the lamp, which is known, would hide everything.
 
-use super::Enclosure;
-use crate::form_factor::{Blocker, Blockers, lambert_visible, ray_from};
-use crate::geometry::{Frame, Polygon, Rgb};
+use super::{Direct, Enclosure};
+use crate::form_factor::ray_from;
+use crate::geometry::{Frame, Rgb};
 use crate::mesh::{ElementId, Mesh};
 use crate::random::Stream;
 use crate::scene::Scene;
@@ -56,9 +56,6 @@ impl Default for Sampling {
 }
 
 const CONFIDENCE: f64 = 0.95;
-
-/// Scenes with more emitting surfaces than this have no light summed exactly.
-const MOST_EMITTERS: usize = 32;
 
 /// Measures the error of `field`, the radiosity in W/m² at a point of an element.
 ///
@@ -131,9 +128,7 @@ struct Gathering<'a> {
     field: &'a (dyn Fn(ElementId, DVec3) -> Rgb + Sync),
     sampling: Sampling,
     elements: Visibility,
-    blockers: Blockers,
-    /// Surfaces whose emission is summed exactly.
-    emitters: Vec<(&'a Polygon, Rgb)>,
+    direct: Direct<'a>,
     /// Per element: what of its emission rays must not count again.
     summed: Vec<Rgb>,
 }
@@ -145,12 +140,9 @@ impl<'a> Gathering<'a> {
         field: &'a (dyn Fn(ElementId, DVec3) -> Rgb + Sync),
         sampling: Sampling,
     ) -> Gathering<'a> {
-        let emitting = scene.surfaces.iter().filter(|s| scene.material(s).emits());
-        let mut emitters: Vec<(&Polygon, Rgb)> =
-            emitting.map(|s| (&s.polygon, scene.material(s).emission())).collect();
+        let direct = Direct::of(scene);
         let mut summed = Enclosure::of(scene, mesh).emission;
-        if emitters.len() > MOST_EMITTERS {
-            emitters.clear();
+        if !direct.sums_emitters() {
             summed.fill(Rgb::ZERO);
         }
         Gathering {
@@ -158,8 +150,7 @@ impl<'a> Gathering<'a> {
             field,
             sampling,
             elements: Visibility::new(mesh.polygons()),
-            blockers: Blockers::of(scene),
-            emitters,
+            direct,
             summed,
         }
     }
@@ -169,22 +160,11 @@ impl<'a> Gathering<'a> {
         let id = ElementId(k as u32);
         let polygon = &self.mesh.elements[k].polygon;
         let (e, rho) = (enclosure.emission[k], enclosure.reflectance[k]);
-        let blockers: Vec<Vec<&Blocker>> = self
-            .emitters
-            .iter()
-            .map(|(emitter, _)| self.blockers.between(polygon, emitter))
-            .collect();
+        let direct = self.direct.on(polygon);
         let places = Stream::named(self.sampling.seed, &[k as u64]).points(count);
         let sample = |(point, place): (usize, [f64; 2])| {
             let x = polygon.point_at(place);
-            let direct: Rgb = self
-                .emitters
-                .iter()
-                .zip(&blockers)
-                .map(|((to, e), past)| {
-                    *e * lambert_visible(x, polygon.normal(), to, past)
-                })
-                .sum();
+            let direct = direct.irradiance(x);
             let b = (self.field)(id, x);
             let gathered = |set: u64| {
                 let name = [k as u64, point as u64, set];

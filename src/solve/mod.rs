@@ -20,12 +20,14 @@
 //! Greenberg 1988.
 
 mod certificate;
+mod direct;
 mod gather;
 mod ledger;
 mod shoot;
 mod solution;
 
 pub use certificate::{Certificate, Sampling, certify};
+pub use direct::{Direct, OnPiece};
 pub use gather::Gather;
 pub use ledger::Ledger;
 pub use shoot::{Brightest, Shoot};

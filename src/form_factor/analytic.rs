@@ -151,7 +151,7 @@ pub struct Analytic {
     elements: Vec<Polygon>,
     /// The elements, cut where blockers touch them: there what is seen jumps.
     pieces: Vec<Vec<Polygon>>,
-    patch_of: Vec<u32>,
+    surface_of: Vec<u32>,
     blockers: Blockers,
     surfaces: Visibility,
     tolerance: f64,
@@ -171,8 +171,8 @@ impl Analytic {
     pub fn new(scene: &Scene, mesh: &Mesh, tolerance: f64, seed: u64) -> Analytic {
         Analytic {
             elements: mesh.polygons().cloned().collect(),
-            pieces: mesh.cut_at_contacts(scene),
-            patch_of: mesh.elements.iter().map(|e| e.patch.0).collect(),
+            pieces: mesh.cut_at_contacts(),
+            surface_of: mesh.elements.iter().map(|e| mesh.surface_of(e)).collect(),
             blockers: Blockers::of(scene),
             surfaces: Visibility::new(scene.surfaces.iter().map(|s| &s.polygon)),
             tolerance,
@@ -211,7 +211,7 @@ impl Analytic {
         lost_by_rays(
             &self.surfaces,
             &self.elements[i],
-            self.patch_of[i],
+            self.surface_of[i],
             self.seed,
             from,
         )
@@ -246,14 +246,14 @@ impl Analytic {
         // What may stand between the element and a whole wall is found once.
         let mut known: Option<(u32, Vec<&Blocker>)> = None;
         for j in range {
-            let patch = self.patch_of[j];
-            if patch == self.patch_of[i] {
-                continue; // a flat patch does not see itself
+            let surface = self.surface_of[j];
+            if surface == self.surface_of[i] {
+                continue; // a flat surface does not see itself
             }
             if facing(element, &self.elements[j]).is_none() {
                 continue;
             }
-            let wall = self.blockers.wall_of(patch as usize);
+            let wall = self.blockers.wall_of(surface as usize);
             if known.as_ref().is_none_or(|(of, _)| *of != wall) {
                 let whole = &self.blockers.walls()[wall as usize];
                 known = Some((wall, self.blockers.between(element, whole)));

@@ -25,7 +25,7 @@
 use super::painter::{self, Painter};
 use super::{FormFactors, Lost};
 use crate::geometry::{Frame, bounds};
-use crate::mesh::{ElementId, Mesh, PatchId};
+use crate::mesh::{ElementId, Mesh};
 use crate::raster::{ItemBuffer, MAX_SIZE, View};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
@@ -268,7 +268,7 @@ impl<'m> Hemicube<'m> {
         &self,
         point: DVec3,
         normal: DVec3,
-        own: Option<PatchId>,
+        own: Option<u32>,
         row: &mut [f64],
     ) -> Lost {
         debug_assert_eq!(row.len(), self.len(), "one factor per element");
@@ -280,12 +280,12 @@ impl<'m> Hemicube<'m> {
         lost
     }
 
-    /// Draws the elements through the five faces, but for those of patch `own`.
+    /// Draws the elements through the five faces, but for those of surface `own`.
     fn draw(
         &self,
         eye: DVec3,
         frame: &Frame,
-        own: Option<PatchId>,
+        own: Option<u32>,
         mut show: impl FnMut(Face, &ItemBuffer),
     ) {
         self.painter.with_buffer(|buffer| {
@@ -308,7 +308,7 @@ impl FormFactors for Hemicube<'_> {
 
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
         let element = self.painter.mesh.element(from);
-        let polygon = &element.polygon;
-        self.gather(polygon.centroid(), polygon.normal(), Some(element.patch), row)
+        let (polygon, own) = (&element.polygon, self.painter.mesh.surface_of(element));
+        self.gather(polygon.centroid(), polygon.normal(), Some(own), row)
     }
 }

@@ -130,9 +130,10 @@ impl FormFactors for Hybrid<'_> {
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
         let lost = self.hemicube.row(from, row);
         let element = self.mesh.element(from);
+        let surface = self.mesh.surface_of(element);
         for (j, factor) in (0u32..).zip(row) {
             let to = ElementId(j);
-            let own = self.mesh.element(to).patch == element.patch;
+            let own = self.mesh.surface_of(self.mesh.element(to)) == surface;
             if !own && self.broken(from, to).is_some() {
                 *factor = self.exact.exchange(from, to) / element.polygon.area();
             }

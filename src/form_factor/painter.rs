@@ -6,7 +6,7 @@
 
 use super::Lost;
 use crate::geometry::Frame;
-use crate::mesh::{Mesh, PatchId};
+use crate::mesh::Mesh;
 use crate::random::Stream;
 use crate::raster::{ItemBuffer, Seen, View};
 use glam::DVec3;
@@ -48,17 +48,12 @@ impl<'m> Painter<'m> {
         }
     }
 
-    /// Draws the elements as `view` sees them, but for those of patch `own`: a flat patch
-    /// does not see itself.
-    pub(super) fn paint(
-        &self,
-        view: &View,
-        own: Option<PatchId>,
-        buffer: &mut ItemBuffer,
-    ) {
+    /// Draws the elements as `view` sees them, but for those of surface `own`: what
+    /// is flat does not see itself.
+    pub(super) fn paint(&self, view: &View, own: Option<u32>, buffer: &mut ItemBuffer) {
         // ANCHOR: paint
         for (id, element) in self.mesh.elements.iter().enumerate() {
-            if Some(element.patch) != own {
+            if Some(self.mesh.surface_of(element)) != own {
                 buffer.draw(view, &element.polygon, id as u32);
             }
         }

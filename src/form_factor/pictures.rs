@@ -24,7 +24,7 @@
 use super::painter::{self, Painter};
 use super::{FormFactors, Lost};
 use crate::geometry::Frame;
-use crate::mesh::{ElementId, Mesh, PatchId};
+use crate::mesh::{ElementId, Mesh};
 use crate::radiometry::projected_solid_angle;
 use crate::raster::View;
 use glam::{DVec3, dvec2};
@@ -153,7 +153,7 @@ impl<'m> Pictures<'m> {
         &self,
         point: DVec3,
         normal: DVec3,
-        own: Option<PatchId>,
+        own: Option<u32>,
         row: &mut [f64],
     ) -> Lost {
         debug_assert_eq!(row.len(), self.len(), "one factor per element");
@@ -209,6 +209,11 @@ impl FormFactors for Pictures<'_> {
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
         let element = self.painter.mesh.element(from);
         let polygon = &element.polygon;
-        self.gather(polygon.centroid(), polygon.normal(), Some(element.patch), row)
+        self.gather(
+            polygon.centroid(),
+            polygon.normal(),
+            Some(self.painter.mesh.surface_of(element)),
+            row,
+        )
     }
 }

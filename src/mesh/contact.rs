@@ -10,19 +10,21 @@ use glam::DVec3;
 use std::collections::HashMap;
 
 /// Surfaces grouped by plane and material, each group with its contact lines.
+#[derive(Debug)]
 pub(super) struct Planes {
     group_of: Vec<u32>,
     contacts: Vec<Contacts>,
 }
 
 /// The contact lines in one plane.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(super) struct Contacts {
     lines: Vec<Contact>,
     /// What counts as touching, in scene units.
     margin: f64,
 }
 
+#[derive(Debug)]
 struct Contact {
     ends: [DVec3; 2],
     /// Contains the line, at right angles to the surface.
@@ -60,8 +62,8 @@ impl Planes {
     }
 
     /// The group of a surface of the scene, and its contact lines.
-    pub(super) fn of_surface(&self, id: usize) -> (u32, &Contacts) {
-        let group = self.group_of[id];
+    pub(super) fn of_surface(&self, id: u32) -> (u32, &Contacts) {
+        let group = self.group_of[id as usize];
         (group, &self.contacts[group as usize])
     }
 }

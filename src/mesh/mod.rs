@@ -1,11 +1,14 @@
-//! Patches and elements: the pieces on which light is taken to be constant.
+//! Patches and elements: the pieces on which light is taken to be constant, or linear.
 //!
 //! ```text
 //! B(x) ≈ B_i  for x on element i          B_v = Σ A_i B_i / Σ A_i  over elements at v
+//! B_p = Σ A_i B_i / Σ A_i                 over the elements of patch p
+//! B_t = (1 − t) B_a + t B_b               T-vertex t on the edge ab of a larger element
 //! ```
 //!
-//! A **patch** is one [`Surface`](crate::scene::Surface); it is divided into **elements**.
-//! (Substructuring, where patches shoot and elements receive, rests on this pair.)
+//! A **patch** is a piece of one [`Surface`](crate::scene::Surface) (all of it, unless it
+//! is asked to be smaller); it is divided into **elements**. Elements of one patch do not
+//! see each other, and from outside a patch is what its elements are on the average.
 //! Elements never straddle a line where another surface touches or pierces their patch,
 //! and no vertex mixes light from both sides of such a line: a wall leaks neither light
 //! nor shadow.
@@ -14,23 +17,30 @@
 //! |-------------------|--------------------------------------|----------------------------|
 //! | [`Mesh::whole`]   | factors between faces are asked for  | light varies over a face   |
 //! | [`Mesh::uniform`] | a solution of even fineness is asked | a shadow edge is sharper   |
+//! | [`Mesh::patched`] | patches are to be split later on     | they stay whole            |
+//! | [`Mesh::split`]   | some elements are too large          | the wrong ones are chosen  |
 //!
-//! **Not here:** splitting where the light asks for it. Chapters *The pipeline* (L08) and
-//! *Substructuring* (L11). Sources: Cohen, Greenberg, Immel & Brock 1986; Baum, Mann,
-//! Smith & Winget 1991 (contact lines).
+//! **Not here:** which elements to split ([`crate::solve`]). Chapters *The pipeline* (L08)
+//! and *Patches and elements* (L11, L12). Sources: Cohen, Greenberg, Immel & Brock 1986
+//! (substructuring); Baum, Mann, Smith & Winget 1991 (contact lines, balance, anchors).
 
+mod anchor;
+mod build;
 mod contact;
 mod grid;
 mod interpolate;
+mod split;
 
 pub use interpolate::wachspress;
 
 use crate::geometry::{Polygon, Rgb};
-use crate::scene::{FaceId, MaterialId, Scene};
-use contact::{Contacts, Planes};
+use crate::scene::{FaceId, MaterialId, Scene, Surface};
+use anchor::Anchor;
+use build::Builder;
+use contact::Planes;
 use glam::DVec3;
-use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Which patch of a [`Mesh`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -44,9 +54,11 @@ pub struct ElementId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct VertexId(pub u32);
 
-/// One surface of the scene.
+/// A piece of a surface of the scene.
 #[derive(Clone, Debug)]
 pub struct Patch {
+    /// Which of [`Scene::surfaces`].
+    pub surface: u32,
     /// The face of the OBJ file that it is part of.
     pub face: FaceId,
     /// What it is made of.
@@ -75,25 +87,54 @@ pub struct Mesh {
     pub elements: Vec<Element>,
     /// Positions of the shared corners.
     pub vertices: Vec<DVec3>,
+    anchors: Vec<Anchor>,
+    planes: Arc<Planes>,
 }
 
 impl Mesh {
     /// One element for each surface of the scene.
     pub fn whole(scene: &Scene) -> Mesh {
-        Mesh::build(scene, |polygon, _| vec![polygon.clone()])
+        let mut builder = Builder::new(Arc::new(Planes::of(scene)), scene.diagonal());
+        for (id, surface) in (0u32..).zip(&scene.surfaces) {
+            builder.add(id, surface, [surface.polygon.clone()]);
+        }
+        builder.finish()
     }
 
-    /// Elements whose edges are no longer than `max_edge` (scene units; positive).
+    /// Elements whose edges are no longer than `max_edge` (scene units; positive), those
+    /// of a surface in one patch.
     ///
     /// Quadrilaterals become grids, triangles become triangles, other outlines are first
     /// cut into quadrilaterals about their middle; then each cell that another surface
     /// touches along a line is cut along that line.
     pub fn uniform(scene: &Scene, max_edge: f64) -> Mesh {
-        assert!(max_edge > 0.0, "max_edge must be positive: {max_edge}");
-        Mesh::build(scene, |polygon, contacts| {
-            let cells = grid::cells(polygon, max_edge);
-            cells.into_iter().flat_map(|cell| contacts.cut(cell)).collect()
+        Mesh::cells(scene, max_edge, |builder, id, surface, cells| {
+            builder.add(id, surface, cells);
         })
+    }
+
+    /// The same elements, each a patch of its own, for [`Mesh::split`] to divide.
+    pub fn patched(scene: &Scene, max_edge: f64) -> Mesh {
+        Mesh::cells(scene, max_edge, |builder, id, surface, cells| {
+            cells.into_iter().for_each(|cell| builder.add(id, surface, [cell]));
+        })
+    }
+
+    fn cells(
+        scene: &Scene,
+        max_edge: f64,
+        add: impl Fn(&mut Builder, u32, &Surface, Vec<Polygon>),
+    ) -> Mesh {
+        assert!(max_edge > 0.0, "max_edge must be positive: {max_edge}");
+        let planes = Arc::new(Planes::of(scene));
+        let mut builder = Builder::new(Arc::clone(&planes), scene.diagonal());
+        for (id, surface) in (0u32..).zip(&scene.surfaces) {
+            let (_, contacts) = planes.of_surface(id);
+            let cells = grid::cells(&surface.polygon, max_edge).into_iter();
+            let cells = cells.flat_map(|cell| contacts.cut(cell)).collect();
+            add(&mut builder, id, surface, cells);
+        }
+        builder.finish()
     }
 
     /// How many elements [`Mesh::uniform`] makes, contact lines aside.
@@ -101,42 +142,11 @@ impl Mesh {
         scene.surfaces.iter().map(|s| grid::count(&s.polygon, max_edge)).sum()
     }
 
-    fn build(
-        scene: &Scene,
-        divide: impl Fn(&Polygon, &Contacts) -> Vec<Polygon>,
-    ) -> Mesh {
-        let planes = Planes::of(scene);
-        let mut welder = Welder::new(scene.diagonal());
-        let mut mesh = Mesh { patches: vec![], elements: vec![], vertices: vec![] };
-        for (id, surface) in scene.surfaces.iter().enumerate() {
-            let (plane, contacts) = planes.of_surface(id);
-            let first = mesh.elements.len() as u32;
-            for polygon in divide(&surface.polygon, contacts) {
-                let middle = polygon.centroid();
-                let corners = polygon.vertices().iter().map(|&at| {
-                    let sides = contacts.sides(at, middle);
-                    welder.vertex(plane, at, sides, &mut mesh.vertices)
-                });
-                let corners = corners.collect();
-                mesh.elements.push(Element {
-                    corners,
-                    polygon,
-                    patch: PatchId(id as u32),
-                });
-            }
-            let elements = first..mesh.elements.len() as u32;
-            let (face, material) = (surface.face, surface.material);
-            mesh.patches.push(Patch { face, material, elements });
-        }
-        mesh
-    }
-
     /// Each element cut along the lines where other surfaces touch or pierce it, which
     /// [`Mesh::uniform`] has done already and [`Mesh::whole`] has not.
-    pub fn cut_at_contacts(&self, scene: &Scene) -> Vec<Vec<Polygon>> {
-        let planes = Planes::of(scene);
+    pub fn cut_at_contacts(&self) -> Vec<Vec<Polygon>> {
         let cut = |e: &Element| {
-            let (_, contacts) = planes.of_surface(e.patch.0 as usize);
+            let (_, contacts) = self.planes.of_surface(self.surface_of(e));
             contacts.cut(e.polygon.clone())
         };
         self.elements.iter().map(cut).collect()
@@ -152,6 +162,11 @@ impl Mesh {
         &self.patches[element.patch.0 as usize]
     }
 
+    /// Which of [`Scene::surfaces`] the element is part of.
+    pub fn surface_of(&self, element: &Element) -> u32 {
+        self.patch_of(element).surface
+    }
+
     /// The outlines of all elements, in order.
     pub fn polygons(&self) -> impl ExactSizeIterator<Item = &Polygon> + Clone {
         self.elements.iter().map(|e| &e.polygon)
@@ -160,6 +175,7 @@ impl Mesh {
     /// Values at the vertices: the area-weighted means of the elements that meet there.
     ///
     /// Elements meet only within one plane and material, and on one side of a contact.
+    /// T-vertices take the value of the edge that they lie on.
     pub fn vertex_values(&self, of_elements: &[Rgb]) -> Vec<Rgb> {
         let mut sums = vec![(Rgb::ZERO, 0.0); self.vertices.len()];
         for (element, &value) in self.elements.iter().zip(of_elements) {
@@ -170,37 +186,9 @@ impl Mesh {
                 *weight += area;
             }
         }
-        sums.into_iter().map(|(sum, weight)| sum / weight).collect()
-    }
-}
-
-/// What tells vertices apart: plane, place in quanta, sides of the contacts there.
-type Place = (u32, [i64; 3], Vec<(u32, bool)>);
-
-/// Gives corners that coincide the same vertex.
-struct Welder {
-    known: HashMap<Place, VertexId>,
-    quantum: f64,
-}
-
-impl Welder {
-    fn new(diagonal: f64) -> Welder {
-        // Far above rounding, far below any element; no round number, so that
-        // coordinates do not lie on the border between two quanta.
-        Welder { known: HashMap::new(), quantum: 1.2345e-8 * diagonal }
-    }
-
-    fn vertex(
-        &mut self,
-        plane: u32,
-        at: DVec3,
-        sides: Vec<(u32, bool)>,
-        vertices: &mut Vec<DVec3>,
-    ) -> VertexId {
-        let place = (at / self.quantum).to_array().map(|x| x.round() as i64);
-        *self.known.entry((plane, place, sides)).or_insert_with(|| {
-            vertices.push(at);
-            VertexId(vertices.len() as u32 - 1)
-        })
+        let mean = |(sum, weight): (Rgb, f64)| sum / weight;
+        let mut values: Vec<Rgb> = sums.into_iter().map(mean).collect();
+        self.anchor(&mut values);
+        values
     }
 }

@@ -1,0 +1,77 @@
+//! Splitting elements in four, as a quadtree does, and keeping the mesh balanced.
+
+use super::build::Builder;
+use super::{Element, Mesh};
+use crate::geometry::Polygon;
+
+impl Mesh {
+    /// The mesh with the elements that are marked split: triangles and quadrilaterals in
+    /// four, other outlines in a quadrilateral for each corner.
+    ///
+    /// **Balanced**: no edge has more than one T-vertex. Where one would have more, that
+    /// element is split as well. Patches stay what they are; vertices keep their ids,
+    /// new ones follow.
+    ///
+    /// # Panics
+    /// When there is not one mark for each element.
+    pub fn split(&self, marked: &[bool]) -> Mesh {
+        assert_eq!(marked.len(), self.elements.len(), "one mark for each element");
+        let mut builder = self.divided(marked);
+        loop {
+            let unbalanced = builder.unbalanced();
+            if !unbalanced.contains(&true) {
+                return builder.finish();
+            }
+            builder = builder.mesh().divided(&unbalanced);
+        }
+    }
+
+    fn divided(&self, marked: &[bool]) -> Builder {
+        let mut builder = Builder::over(self);
+        for patch in &self.patches {
+            let ids = patch.elements.start as usize..patch.elements.end as usize;
+            let pieces = ids.flat_map(|k| {
+                let polygon = &self.elements[k].polygon;
+                if marked[k] { quarters(polygon) } else { vec![polygon.clone()] }
+            });
+            builder.add_patch(patch.clone(), pieces);
+        }
+        builder
+    }
+}
+
+impl Builder {
+    /// The elements with an edge that holds more than one T-vertex.
+    fn unbalanced(&self) -> Vec<bool> {
+        let mesh = self.mesh();
+        let too_long = |element: &Element| {
+            let surface = mesh.surface_of(element);
+            let middle = element.polygon.centroid();
+            element.polygon.edges().any(|(a, b)| {
+                let there =
+                    |t: f64| self.known(surface, a.lerp(b, t), middle).is_some();
+                there(0.5) && (there(0.25) || there(0.75))
+            })
+        };
+        mesh.elements.iter().map(too_long).collect()
+    }
+}
+
+/// The four parts of a triangle or quadrilateral; of other outlines, one for each corner.
+fn quarters(polygon: &Polygon) -> Vec<Polygon> {
+    let v = polygon.vertices();
+    let n = v.len();
+    let middle = |k: usize| v[k % n].midpoint(v[(k + 1) % n]);
+    let centre = match v {
+        &[a, b, c, d] => a.midpoint(c).midpoint(b.midpoint(d)),
+        _ => polygon.centroid(),
+    };
+    let parts: Vec<_> = if n == 3 {
+        let corner = |k| vec![v[k], middle(k), middle(k + 2)];
+        (0..3).map(corner).chain([vec![middle(0), middle(1), middle(2)]]).collect()
+    } else {
+        (0..n).map(|k| vec![middle(k + n - 1), v[k], middle(k), centre]).collect()
+    };
+    let normal = polygon.normal();
+    parts.into_iter().filter_map(|part| Polygon::piece(part, normal)).collect()
+}

@@ -2,21 +2,29 @@
 //!
 //! ```text
 //! B = E + ρ H                       a diffuse surface: emitted plus reflected radiosity, W/m²
-//! f = ρ / π                         its BRDF, 1/sr: the same in all directions
-//! 0 ≤ ρ < 1 in every channel        or the light in a room would never die out
+//! L(ωₒ) = ∫ f(ωᵢ, ωₒ) L(ωᵢ) cosθᵢ dωᵢ        any surface, by its BRDF f, 1/sr
+//! f = ρ/π                           of a diffuse one: the same in all directions
+//! ∫ f cosθₒ dωₒ ≤ 1  in every channel        or the light in a room would never die out
 //! ```
 //!
 //! A [`Material`] keeps its fields private: once built it reflects less than it gets.
 //!
-//! | made by           | use it when                      | it fails when               |
-//! |-------------------|----------------------------------|-----------------------------|
-//! | [`Material::new`] | numbers come from file or person | they would create light     |
+//! | made by            | use it when                         | it fails when               |
+//! |--------------------|-------------------------------------|-----------------------------|
+//! | [`Material::new`]  | numbers come from file or person    | they would create light     |
+//! | [`Lobe::Lambert`]  | it looks alike from everywhere      | it shines                   |
+//! | [`Lobe::Phong`]    | a highlight is wanted               | at a slant: loses up to all |
+//! | [`Material::brdf`] | both at once                        | as its lobes do             |
 //!
-//! **Not here:** transmittance, gloss and Fresnel's law, which pass 1 of the thread does
-//! not carry. Chapters *BRDF* (L04) and *Albedo* (L05). Sources: Nicodemus et al. 1977.
+//! **Not here:** transmittance, Fresnel's law and mirrors. Chapters *How surfaces scatter*
+//! (L04) and *Albedo* (L05). Sources: Nicodemus et al. 1977; Phong 1975; Lewis 1993;
+//! Lafortune & Willems 1994; Arvo 1995.
+
+mod brdf;
+
+pub use brdf::{Brdf, Lobe};
 
 use crate::geometry::Rgb;
-use std::f64::consts::PI;
 use std::fmt;
 
 /// The numbers of a material, not checked yet.
@@ -140,11 +148,6 @@ impl Material {
     /// Specular reflectance of the front, in `[0, 1]`.
     pub fn specular(&self) -> Rgb {
         self.coefficients.specular
-    }
-
-    /// The BRDF of the diffuse part, `ρ/π`, in 1/sr: the same for all pairs of directions.
-    pub fn diffuse_brdf(&self) -> Rgb {
-        self.coefficients.diffuse / PI
     }
 
     /// Does it send light of its own?

@@ -94,7 +94,9 @@ fn lambert() {
         if rho < 1.0 {
             // A material of reflectance 1 is refused.
             let glow = in_a_furnace(&brdf(rho, 0.0, 1.0), wo);
-            assert_expected(&case, "white_furnace_radiance_L1", glow);
+            let expected =
+                case["expected"]["white_furnace_radiance_L1"].as_f64().unwrap();
+            assert!(within(glow, expected, 1e-9, 0.0), "{glow}, {expected}");
         }
     }
 }
@@ -105,9 +107,9 @@ fn lambert_plus_phong() {
         let brdf = brdf(number(&case, "kd"), number(&case, "ks"), number(&case, "n"));
         let z = cosine(&case);
         assert_expected(&case, "directional_albedo", brdf.albedo(z).x);
-        // By 90 000 points the furnace is known to 1e-6: lobes are smooth.
+        // The furnace by 300 × 300 points: the horizon cuts cells, and leaves some 1/300².
         let glow = in_a_furnace(&brdf, dvec3((1.0 - z * z).sqrt(), 0.0, z));
         let expected = case["expected"]["white_furnace_radiance_L1"].as_f64().unwrap();
-        assert!((glow - expected).abs() < 1e-5, "{glow}, {expected}");
+        assert!((glow - expected).abs() < 1e-4, "{glow}, {expected}");
     }
 }

@@ -4,7 +4,7 @@
 mod common;
 
 use common::any::{Room, convex_room, room};
-use common::rooms::{box_walls, exact_factors, gathered, rows, scene, shot};
+use common::rooms::{box_walls, exact_factors, gathered, rows, scene, solved_by};
 use proptest::prelude::*;
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::cast::Cast;
@@ -13,7 +13,7 @@ use radiosity::form_factor::{FormFactors, Matrix};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
 use radiosity::solve::{
-    Brightest, Enclosure, Gather, Ledger, Shoot, Step, error_bound,
+    Brightest, Enclosure, GaussSeidel, Ledger, Shoot, Solver, Step, error_bound,
 };
 
 /// Bookkeeping closes to this share of what is emitted.
@@ -82,7 +82,7 @@ proptest! {
         let (_, enclosure, matrices) = meshed(&room);
         for matrix in &matrices {
             let rows = rows(matrix);
-            let mut solver = Gather::new(&enclosure, matrix);
+            let mut solver = GaussSeidel::new(&enclosure, matrix);
             for _ in 0..8 {
                 let step = solver.next().unwrap();
                 let b = solver.radiosity();
@@ -105,7 +105,7 @@ proptest! {
             let shooting = Shoot::new(&enclosure, matrix, Brightest::ByPower);
             for radiosity in [
                 gathered(&enclosure, matrix, 1e-6, 30),
-                shot(&enclosure, shooting, 1e-6, 300),
+                solved_by(&enclosure, shooting, 1e-6, 300),
             ] {
                 for (b, e) in radiosity.iter().zip(&enclosure.emission) {
                     prop_assert!(b.is_finite() && b.cmpge(*e).all(), "{b} < {e}");
@@ -123,12 +123,12 @@ proptest! {
         let mesh = Mesh::uniform(&scene, 0.9);
         let mut enclosure = Enclosure::of(&scene, &mesh);
         let matrix = exact_factors(&mesh);
-        let steps = Gather::new(&enclosure, &matrix).take(60);
+        let steps = GaussSeidel::new(&enclosure, &matrix).take(60);
         let shots = Shoot::new(&enclosure, &matrix, Brightest::ByPower).take(60);
         for step in steps.chain(shots) {
             prop_assert!(step.ledger.worst_imbalance() < 1e-11, "{:?}", step.ledger);
         }
-        let last = Gather::new(&enclosure, &matrix).nth(400).unwrap().ledger;
+        let last = GaussSeidel::new(&enclosure, &matrix).nth(400).unwrap().ledger;
         let off = (last.absorbed - last.emitted).abs().max_element();
         prop_assert!(off <= BOOKS * last.emitted.max_element(), "{last:?}");
         // With one reflectance for all, `Σ A B (1 − ρ) = Φ`, whatever the shape of the
@@ -151,7 +151,7 @@ proptest! {
         let accuracy = 1e-4;
         let by = |brightest| {
             let solver = Shoot::new(&enclosure, &matrix, brightest);
-            shot(&enclosure, solver, accuracy, 100_000)
+            solved_by(&enclosure, solver, accuracy, 100_000)
         };
         let gathering = gathered(&enclosure, &matrix, accuracy, 1000);
         let scale = enclosure.norm_squared(
@@ -184,7 +184,7 @@ proptest! {
             silent.next();
             prop_assert_eq!(asked.radiosity(), silent.radiosity());
         }
-        let rho = enclosure.largest_reflectance();
+        let rho = enclosure.largest_reflectance().max_element();
         let done = |s: &Step| error_bound(s.residual, rho) < 1e-9;
         let last = asked.by_ref().take(100_000).find(done);
         prop_assume!(last.is_some());
@@ -210,7 +210,7 @@ proptest! {
             gathered(&enclosure, &exact, 1e-11, 2000),
             gathered(&enclosure, &Hemicube::new(&mesh, 16).matrix(&done), 1e-11, 2000),
             gathered(&enclosure, &Cast::new(&mesh, 30, 1).matrix(&done), 1e-11, 2000),
-            shot(&enclosure, shooting, 1e-11, 100_000),
+            solved_by(&enclosure, shooting, 1e-11, 100_000),
         ] {
             let glow = 1.0 / (1.0 - rho);
             let off = |b: &Rgb| (b.x / glow - 1.0).abs();

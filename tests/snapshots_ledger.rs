@@ -9,7 +9,7 @@ use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
 use radiosity::scene::builtins;
-use radiosity::solve::{Brightest, Enclosure, Gather, Ledger, Shoot};
+use radiosity::solve::{Brightest, Enclosure, GaussSeidel, Ledger, Shoot};
 use std::fmt::Write;
 
 /// After 20 sweeps or 200 shots, by all three kinds of factors; the imbalance is what the
@@ -29,7 +29,8 @@ fn ledgers_of_the_built_in_scenes() {
             ("rays", Cast::new(&mesh, 256, 0).matrix(&done), 1e-12),
             ("hemicube", Hemicube::new(&mesh, 64).matrix(&done), 1e-12),
         ] {
-            let gathered = Gather::new(&enclosure, &matrix).nth(19).unwrap().ledger;
+            let gathered =
+                GaussSeidel::new(&enclosure, &matrix).nth(19).unwrap().ledger;
             let mut solver = Shoot::new(&enclosure, &matrix, Brightest::ByPower);
             let shot = solver.by_ref().take(200).last().unwrap().ledger;
             assert!(shot.worst_imbalance() < allowed, "{} {name} {shot:?}", scene.name);

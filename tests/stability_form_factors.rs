@@ -18,7 +18,7 @@ use radiosity::form_factor::shortcuts::point_to_point;
 use radiosity::form_factor::{FormFactors, Lost, Matrix, Row};
 use radiosity::geometry::{Polygon, Ray, Rgb, split};
 use radiosity::mesh::{ElementId, Mesh};
-use radiosity::solve::{Brightest, Enclosure, Gather, Shoot};
+use radiosity::solve::{Brightest, Enclosure, GaussSeidel, Shoot, Solver};
 use radiosity::visibility::Visibility;
 
 /// A cube whose top emits, `k × k` elements a wall.
@@ -102,7 +102,7 @@ fn row_03_point_factors_make_light_grow() {
     assert!((radius(6) - 0.989).abs() < 0.001, "{}", radius(6));
     let (mesh, enclosure) = lit_cube(2, 0.9);
     let matrix = closed(&by_rule(&mesh, point_to_point));
-    let last = Gather::new(&enclosure, &matrix).nth(200).unwrap();
+    let last = GaussSeidel::new(&enclosure, &matrix).nth(200).unwrap();
     assert!(-last.ledger.imbalance.x > 1e6 * last.ledger.emitted.x, "{last:?}");
 }
 
@@ -146,7 +146,7 @@ fn row_15_gathering_from_centres_invents_light() {
         let mesh = Mesh::uniform(&scene, 1.0 / k);
         let enclosure = Enclosure::of(&scene, &mesh);
         let imbalance = |matrix: &Matrix| {
-            let ledger = Gather::new(&enclosure, matrix).nth(60).unwrap().ledger;
+            let ledger = GaussSeidel::new(&enclosure, matrix).nth(60).unwrap().ledger;
             -ledger.imbalance.x / ledger.emitted.x
         };
         let centres = imbalance(&closed(&by_rule(&mesh, from_centre)));
@@ -177,7 +177,7 @@ fn row_17_normalising_an_open_scene_closes_it() {
         })
         .collect();
     let escaped = |matrix: &Matrix| {
-        let ledger = Gather::new(&enclosure, matrix).nth(60).unwrap().ledger;
+        let ledger = GaussSeidel::new(&enclosure, matrix).nth(60).unwrap().ledger;
         (ledger.escaped.x / ledger.emitted.x, ledger.absorbed.x / ledger.emitted.x)
     };
     let (leaves, _) = escaped(&honest);

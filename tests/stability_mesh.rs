@@ -33,7 +33,7 @@ fn two_rooms() -> Scene {
 fn shot_on(scene: &Scene, mesh: &Mesh) -> Vec<Rgb> {
     let enclosure = Enclosure::of(scene, mesh);
     let matrix = Analytic::new(scene, mesh, 1e-4, 0).matrix(&|| ());
-    common::rooms::shot(
+    common::rooms::solved_by(
         &enclosure,
         Shoot::new(&enclosure, &matrix, Brightest::ByPower),
         1e-4,

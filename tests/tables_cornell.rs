@@ -4,7 +4,7 @@
 mod common;
 
 use common::cases;
-use common::rooms::{face_means, gathered, shot};
+use common::rooms::{face_means, gathered, solved_by};
 use radiosity::form_factor::FormFactors;
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::hemicube::Hemicube;
@@ -46,7 +46,7 @@ fn solved(scene: &Scene, mesh: &Mesh, method: &dyn FormFactors) -> [[f64; 2]; 2]
     let matrix = method.matrix(&|| ());
     let gathering = gathered(&enclosure, &matrix, 1e-4, 100);
     let shooting = Shoot::new(&enclosure, &matrix, Brightest::ByPower);
-    let shooting = shot(&enclosure, shooting, 1e-4, 100_000);
+    let shooting = solved_by(&enclosure, shooting, 1e-4, 100_000);
     [gathering, shooting].map(|b| errors(scene, &face_means(scene, mesh, &b)))
 }
 

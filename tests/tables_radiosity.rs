@@ -2,12 +2,12 @@
 
 mod common;
 
-use common::rooms::{box_walls, exact_factors, face_means, gathered, scene, shot};
+use common::rooms::{box_walls, exact_factors, face_means, gathered, scene, solved_by};
 use common::{cases, within};
 use radiosity::form_factor::{Lost, Matrix, Row};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
-use radiosity::solve::{Brightest, Enclosure, Gather, Shoot};
+use radiosity::solve::{Brightest, Enclosure, GaussSeidel, Shoot, Solver};
 use serde_json::Value;
 
 fn numbers(v: &Value) -> Vec<f64> {
@@ -41,7 +41,7 @@ fn gathering_and_shooting_solve_the_systems() {
         let shooting = Shoot::new(&enclosure, &matrix, Brightest::ByPower);
         for (name, radiosity) in [
             ("gather", gathered(&enclosure, &matrix, 1e-11, 1_000_000)),
-            ("shoot", shot(&enclosure, shooting, 1e-11, 3_000_000)),
+            ("shoot", solved_by(&enclosure, shooting, 1e-11, 3_000_000)),
         ] {
             let expected = numbers(&case["expected"]["B"]);
             // the whole field to 1e-9: a face that is nearly black has its share of it
@@ -55,7 +55,7 @@ fn gathering_and_shooting_solve_the_systems() {
                 );
             }
         }
-        let mut solver = Gather::new(&enclosure, &matrix);
+        let mut solver = GaussSeidel::new(&enclosure, &matrix);
         let last = solver.by_ref().take(200_000).find(|step| step.residual < 1e-14);
         let ledger = last.unwrap_or_else(|| solver.next().unwrap()).ledger;
         for (got, key) in [

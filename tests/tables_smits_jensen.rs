@@ -11,7 +11,7 @@ use radiosity::form_factor::{FormFactors, Lost, Matrix, Row};
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::scene::Scene;
-use radiosity::solve::{Direct, Enclosure, Gather};
+use radiosity::solve::{Direct, Enclosure, GaussSeidel, Solver};
 use serde_json::Value;
 use std::f64::consts::PI;
 
@@ -99,7 +99,7 @@ fn two_lamps_light_the_floor() {
         let lamp = lamp as usize;
         meets(enclosure.area[lamp] * enclosure.emission[lamp].x, "flux_one_light");
     }
-    let mut solver = Gather::new(&enclosure, &matrix);
+    let mut solver = GaussSeidel::new(&enclosure, &matrix);
     assert!(solver.next().is_some());
     let floor = solver.irradiance()[0].x; // the lamps are black: one sweep is all
     meets(floor, "mean_floor_irradiance");
@@ -183,7 +183,7 @@ fn a_lossless_reflector_vanishes_in_a_furnace() {
                 reflectance: vec![Rgb::splat(rho); n],
             };
             (enclosure.emission[0], enclosure.reflectance[0]) = (Rgb::ZERO, Rgb::ONE);
-            let mut solver = Gather::new(&enclosure, &matrix);
+            let mut solver = GaussSeidel::new(&enclosure, &matrix);
             // No bound holds with ρ_max = 1: sweep until rounding is all that is left.
             solver.by_ref().take(2000).for_each(drop);
             for b in solver.radiosity() {

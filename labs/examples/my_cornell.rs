@@ -13,7 +13,7 @@ use radiosity::film::{Format, Shot, write_atomically};
 use radiosity::mesh::Mesh;
 use radiosity::prelude::Polygon;
 use radiosity::scene::built_in;
-use radiosity::solve::{Brightest, Enclosure, Shoot};
+use radiosity::solve::{Brightest, Enclosure, Shoot, Solver};
 use std::error::Error;
 use std::path::Path;
 

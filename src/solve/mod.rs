@@ -8,7 +8,7 @@
 //!
 //! | method     | use it when                                    | it fails when              |
 //! |------------|------------------------------------------------|----------------------------|
-//! | [`Gather`] | all factors are at hand                        | ρ → 1: sweeps ~ 1/(1 − ρ)  |
+//! | [`GaussSeidel`] | all factors are at hand                        | ρ → 1: sweeps ~ 1/(1 − ρ)  |
 //! | [`Shoot`]  | a picture is wanted early, factors row by row  | every last bit is wanted   |
 //!
 //! Both are iterators: each step yields the [`Ledger`] and the residual. Not converging is
@@ -21,20 +21,22 @@
 
 mod certificate;
 mod direct;
-mod gather;
+mod gauss_seidel;
 mod ledger;
 mod shoot;
 mod solution;
+mod solver;
 
 pub use certificate::{Certificate, Sampling, certify};
 pub use direct::{Direct, OnPiece};
-pub use gather::Gather;
+pub use gauss_seidel::GaussSeidel;
 pub use ledger::Ledger;
 pub use shoot::{Brightest, Shoot};
 pub use solution::{Factors, Method, Options, Progress, Solution, solve, solve_on};
+pub use solver::{Outcome, Solver, Step, contraction, error_bound};
 
 use crate::geometry::Rgb;
-use crate::mesh::{ElementId, Mesh};
+use crate::mesh::Mesh;
 use crate::scene::Scene;
 
 /// The knowns of the radiosity equation but for the form factors.
@@ -97,21 +99,4 @@ impl Enclosure {
         let ratio = |k: usize| if r[k] == 0.0 { 0.0 } else { (r[k] / scale[k]).sqrt() };
         (0..3).map(ratio).fold(0.0, f64::max)
     }
-}
-
-/// What a solver says after a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Step {
-    /// Where the light is now.
-    pub ledger: Ledger,
-    /// `‖r‖ / ‖B − E‖`, area norm, worst channel: algebraic, of the discrete system.
-    pub residual: f64,
-    /// Which element was shot; `None` for a sweep.
-    pub shot: Option<ElementId>,
-}
-
-/// `residual / (1 − ρ_max)`, worst channel: an upper bound of the relative error of the
-/// discrete solution, for reciprocal factors whose rows sum to one at most.
-pub fn error_bound(residual: f64, largest_reflectance: Rgb) -> f64 {
-    residual / (1.0 - largest_reflectance.max_element())
 }

@@ -1,7 +1,7 @@
 //! Progressive refinement: the brightest element shoots its light, then the next.
 
 use super::ledger::LostPower;
-use super::{Enclosure, Ledger, Step};
+use super::{Enclosure, Ledger, Solver, Step};
 use crate::form_factor::FormFactors;
 use crate::geometry::Rgb;
 use crate::mesh::ElementId;
@@ -54,16 +54,6 @@ impl<'a> Shoot<'a> {
             row: vec![0.0; n],
             lost: LostPower::default(),
         }
-    }
-
-    /// `B`, W/m², per element: what has been emitted and reflected so far.
-    pub fn radiosity(&self) -> &[Rgb] {
-        &self.radiosity
-    }
-
-    /// `H`, W/m², per element: what has arrived so far.
-    pub fn irradiance(&self) -> &[Rgb] {
-        &self.irradiance
     }
 
     /// `ΔB`, W/m², per element: what is still to be sent.
@@ -134,6 +124,18 @@ impl Iterator for Shoot<'_> {
         Some(self.step(from))
     }
     // ANCHOR_END: shoot
+}
+
+impl Solver for Shoot<'_> {
+    /// What has been emitted and reflected so far.
+    fn radiosity(&self) -> &[Rgb] {
+        &self.radiosity
+    }
+
+    /// What has arrived so far.
+    fn irradiance(&self) -> &[Rgb] {
+        &self.irradiance
+    }
 }
 
 impl Shoot<'_> {

@@ -1,8 +1,8 @@
 //! Pass 1 as a whole: mesh, factors, solver, certificate - and finer, until it suffices.
 
 use super::{
-    Brightest, Certificate, Enclosure, Gather, Ledger, Sampling, Shoot, Step, certify,
-    error_bound,
+    Brightest, Certificate, Enclosure, GaussSeidel, Ledger, Sampling, Shoot, Solver,
+    Step, certify, contraction, error_bound,
 };
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::cast::Cast;
@@ -185,7 +185,8 @@ const MOST_STEPS: usize = 200_000;
 
 /// Is the solver's own error small beside what is asked for?
 fn suffices(step: &Step, enclosure: &Enclosure, options: &Options) -> bool {
-    let bound = error_bound(step.residual, enclosure.largest_reflectance());
+    let contraction = enclosure.largest_reflectance().max_element();
+    let bound = error_bound(step.residual, contraction);
     bound <= SOLVER_SHARE * options.tolerance
 }
 
@@ -200,17 +201,13 @@ fn gather(
     let matrix = method.matrix(&|| {
         progress("form factors", rows.fetch_add(1, Ordering::Relaxed) + 1, n);
     });
-    let mut solver = Gather::new(enclosure, &matrix);
-    let (mut last, mut steps) = (Step::default(), 0);
-    for step in solver.by_ref().take(MOST_STEPS) {
-        (last, steps) = (step, steps + 1);
-        if suffices(&step, enclosure, options) {
-            break;
-        }
-    }
+    let mut solver = GaussSeidel::new(enclosure, &matrix);
+    let accuracy = SOLVER_SHARE * options.tolerance;
+    let run = solver.run(contraction(enclosure, &matrix), accuracy, MOST_STEPS);
     let radiosity = solver.radiosity().to_vec();
     let irradiance = solver.irradiance().to_vec();
-    Light { displayed: radiosity.clone(), radiosity, irradiance, last, steps }
+    let displayed = radiosity.clone();
+    Light { displayed, radiosity, irradiance, last: run.last, steps: run.steps }
 }
 
 /// Rows are computed for this many of the brightest elements at once, one a thread.

@@ -7,7 +7,7 @@ use radiosity::geometry::{Polygon, Rgb};
 use radiosity::material::{Coefficients, Material};
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::scene::{Face, MaterialId, Scene};
-use radiosity::solve::{Enclosure, Gather, Shoot, error_bound};
+use radiosity::solve::{Enclosure, GaussSeidel, Solver};
 
 /// A rectangle from a corner and two edges; its front is where `a × b` points.
 pub fn rectangle(corner: DVec3, a: DVec3, b: DVec3) -> Polygon {
@@ -95,29 +95,18 @@ pub fn gathered(
     accuracy: f64,
     most: usize,
 ) -> Vec<Rgb> {
-    let rho = enclosure.largest_reflectance();
-    let mut solver = Gather::new(enclosure, matrix);
-    for step in solver.by_ref().take(most) {
-        if error_bound(step.residual, rho) <= accuracy {
-            break;
-        }
-    }
-    solver.radiosity().to_vec()
+    solved_by(enclosure, GaussSeidel::new(enclosure, matrix), accuracy, most)
 }
 
-/// Shoots until the solver's own error is below `accuracy`, or `most` shots are done.
-pub fn shot(
+/// Runs until the solver's own error is below `accuracy`, as long as factors are
+/// reciprocal, or `most` steps are done.
+pub fn solved_by(
     enclosure: &Enclosure,
-    mut solver: Shoot,
+    mut solver: impl Solver,
     accuracy: f64,
     most: usize,
 ) -> Vec<Rgb> {
-    let rho = enclosure.largest_reflectance();
-    for step in solver.by_ref().take(most) {
-        if error_bound(step.residual, rho) <= accuracy {
-            break;
-        }
-    }
+    solver.run(enclosure.largest_reflectance().max_element(), accuracy, most);
     solver.radiosity().to_vec()
 }
 

@@ -1,7 +1,7 @@
 //! Gathering: the radiosity equation row by row, Gauss–Seidel.
 
 use super::ledger::LostPower;
-use super::{Enclosure, Ledger, Step};
+use super::{Enclosure, Ledger, Solver, Step};
 use crate::form_factor::{FormFactors, Matrix};
 use crate::geometry::Rgb;
 
@@ -11,30 +11,20 @@ use crate::geometry::Rgb;
 /// B_i ← E_i + ρ_i Σ_j F_ij B_j
 /// ```
 /// Converges as `ρ^sweeps` or better; `ρ < 1` is all it needs. A step is one sweep.
-pub struct Gather<'a> {
+pub struct GaussSeidel<'a> {
     enclosure: &'a Enclosure,
     factors: &'a Matrix,
     radiosity: Vec<Rgb>,
     irradiance: Vec<Rgb>,
 }
 
-impl<'a> Gather<'a> {
+impl<'a> GaussSeidel<'a> {
     /// Starts with `B = E`.
-    pub fn new(enclosure: &'a Enclosure, factors: &'a Matrix) -> Gather<'a> {
+    pub fn new(enclosure: &'a Enclosure, factors: &'a Matrix) -> GaussSeidel<'a> {
         assert_eq!(enclosure.len(), factors.len(), "one row of factors per element");
         let radiosity = enclosure.emission.clone();
         let irradiance = vec![Rgb::ZERO; radiosity.len()];
-        Gather { enclosure, factors, radiosity, irradiance }
-    }
-
-    /// `B`, W/m², per element.
-    pub fn radiosity(&self) -> &[Rgb] {
-        &self.radiosity
-    }
-
-    /// `H = Σ F B`, W/m², per element, of the last sweep's radiosities.
-    pub fn irradiance(&self) -> &[Rgb] {
-        &self.irradiance
+        GaussSeidel { enclosure, factors, radiosity, irradiance }
     }
 
     // ANCHOR: gather
@@ -54,7 +44,7 @@ impl<'a> Gather<'a> {
     // ANCHOR_END: gather
 }
 
-impl Iterator for Gather<'_> {
+impl Iterator for GaussSeidel<'_> {
     type Item = Step;
 
     fn next(&mut self) -> Option<Step> {
@@ -76,5 +66,15 @@ impl Iterator for Gather<'_> {
             residual: self.enclosure.relative_residual(&residual, &self.radiosity),
             shot: None,
         })
+    }
+}
+
+impl Solver for GaussSeidel<'_> {
+    fn radiosity(&self) -> &[Rgb] {
+        &self.radiosity
+    }
+
+    fn irradiance(&self) -> &[Rgb] {
+        &self.irradiance
     }
 }

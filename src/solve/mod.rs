@@ -27,7 +27,7 @@ mod shoot;
 mod solution;
 mod solver;
 
-pub use certificate::{Certificate, Sampling, certify};
+pub use certificate::{Audit, Certificate, Sampling, audit, certify};
 pub use direct::{Direct, OnPiece};
 pub use gauss_seidel::GaussSeidel;
 pub use ledger::Ledger;

@@ -1,0 +1,153 @@
+//! The certificate: how far a field is from the truth, measured without trusting it.
+//!
+//! ```text
+//! r = E + ρ H(B) − B            the residual of the continuous equation at a point
+//! e = B* − B = r + K e          the error: what is missing here, and what the error of
+//!                               other places sends here;   K e = ρ H(e)
+//! ‖B* − B‖ / ‖B* − E‖           what is reported: area norm, worst channel
+//! ```
+//! At random points, some on each **stratum** of the scene, the irradiance `H(B)` is
+//! gathered **twice**, by two independent sets of rays. Each gather is right on average but
+//! noisy; the product of the two results is the square on average, since independent errors
+//! do not correlate. (One result squared would be too large by the variance of the gather.)
+//!
+//! The same rays tell which stratum lights which. With the mean residual of each they give
+//! the mean error `ē = r̄ + K ē` of each, and this the error at each point. The residual
+//! of a mesh changes sign from place to place and dies out when it is reflected: the error
+//! is near `‖r‖`, and not `‖r‖/(1 − ρ_max)`, which is only the worst that can be.
+//!
+//! Light that comes straight from emitters is summed exactly ([`Direct`](super::Direct)),
+//! so that rays carry reflected light only, which varies little.
+//!
+//! What is reported is relative to the reflected light. Relative to `‖B‖` the lamp, which
+//! is known, would hide everything.
+
+mod gathering;
+mod interval;
+mod propagate;
+mod strata;
+
+use super::Enclosure;
+use crate::geometry::Rgb;
+use crate::mesh::{ElementId, Mesh};
+use crate::scene::Scene;
+use gathering::Gathering;
+use glam::DVec3;
+use interval::Norm;
+use propagate::Exchange;
+use strata::Strata;
+
+/// What a field's error is, as far as sampling can tell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Certificate {
+    /// The likely error, `‖B* − B‖/‖B* − E‖`, worst channel.
+    pub error: f64,
+    /// The error is at least this.
+    pub low: f64,
+    /// The error is at most this; infinite when that cannot be said.
+    pub high: f64,
+    /// How sure that is, in `(0, 1)`.
+    pub confidence: f64,
+}
+
+/// A certificate, and where the error is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Audit {
+    /// The error of the whole.
+    pub certificate: Certificate,
+    /// Per element: root mean square of `r`, relative to that of the reflected light of
+    /// the scene; worst channel. What the element itself does wrong: where to refine.
+    pub residual: Vec<f64>,
+    /// The same of `e`: how wrong the element is, whoever's fault that be.
+    pub error: Vec<f64>,
+}
+
+/// How much work a certificate may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sampling {
+    /// Points in all, about; at least 16.
+    pub points: usize,
+    /// Rays of each of the two gathers at a point.
+    pub rays: usize,
+    /// Names the random streams.
+    pub seed: u64,
+}
+
+impl Default for Sampling {
+    fn default() -> Sampling {
+        Sampling { points: 1600, rays: 64, seed: 0 }
+    }
+}
+
+const CONFIDENCE: f64 = 0.95;
+
+/// A field: the radiosity in W/m² at a point of an element.
+type Field<'a> = &'a (dyn Fn(ElementId, DVec3) -> Rgb + Sync);
+
+/// Measures the error of `field`, the radiosity in W/m² at a point of an element.
+///
+/// # Accuracy
+/// As [`audit`].
+pub fn certify(
+    scene: &Scene,
+    mesh: &Mesh,
+    field: Field,
+    sampling: Sampling,
+) -> Certificate {
+    audit(scene, mesh, field, sampling).certificate
+}
+
+/// Measures the error of `field`, and where it is.
+///
+/// # Accuracy
+/// The interval holds with the confidence stated when the samples have met every feature:
+/// what no point falls on is not known. What single elements are said to be off by is
+/// noisy: each has but a few points.
+pub fn audit(scene: &Scene, mesh: &Mesh, field: Field, sampling: Sampling) -> Audit {
+    let enclosure = Enclosure::of(scene, mesh);
+    let strata = Strata::of(mesh, &enclosure, sampling.points);
+    let points = Gathering::new(scene, &enclosure, &strata, field, sampling).all();
+    let exchange = Exchange::of(&strata, &enclosure, &points);
+    let means = exchange.errors(&strata, &points, sampling.seed);
+    let errors: Vec<[Rgb; 2]> = points
+        .iter()
+        .map(|p| [0, 1].map(|s| p.residual[s] + p.arriving(s, &means.error)))
+        .collect();
+    let pairs = |of: &dyn Fn(usize) -> [Rgb; 2]| -> Vec<Rgb> {
+        (0..points.len())
+            .map(|k| {
+                let [a, b] = of(k);
+                a * b
+            })
+            .collect()
+    };
+    let of_error = pairs(&|k| errors[k]);
+    let of_truth = pairs(&|k| errors[k].map(|e| points[k].reflected + e));
+    let of_residual = pairs(&|k| points[k].residual);
+    let mut certificate =
+        Certificate { error: 0.0, low: 0.0, high: 0.0, confidence: CONFIDENCE };
+    for c in 0..3 {
+        let norm = |squares: &[Rgb]| Norm::of(&strata, &points, squares, c);
+        let (error, truth) = (norm(&of_error), norm(&of_truth));
+        let (error, truth) = (
+            error.widened(means.doubt(&error, c)),
+            truth.widened(means.doubt(&error, c)),
+        );
+        certificate.error = certificate.error.max(ratio(error.likely, truth.likely));
+        certificate.low = certificate.low.max(ratio(error.low, truth.high));
+        certificate.high = certificate.high.max(ratio(error.high, truth.low));
+    }
+    let scale = interval::mean(&strata, &points, &of_truth);
+    let map =
+        |squares: &[Rgb]| interval::by_element(mesh, &strata, &points, squares, scale);
+    Audit { certificate, residual: map(&of_residual), error: map(&of_error) }
+}
+
+/// A relative error; without light, none is no error, and any is without bound.
+fn ratio(error: f64, scale: f64) -> f64 {
+    match (error, scale) {
+        (0.0, _) => 0.0,
+        (_, scale) if scale <= 0.0 => f64::INFINITY,
+        (error, scale) => error / scale,
+    }
+}

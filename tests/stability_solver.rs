@@ -5,15 +5,17 @@ mod common;
 
 use common::rooms::{
     box_walls, coloured_scene, exact_factors, gathered, moved, rectangle, rows, scene,
-    solved_by,
+    solved_by, unit_square,
 };
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::{FormFactors, Lost, Matrix, Row};
 use radiosity::geometry::Rgb;
 use radiosity::material::{Coefficients, Material, MaterialError};
-use radiosity::mesh::Mesh;
-use radiosity::solve::{Brightest, Enclosure, GaussSeidel, Shoot, Solver, error_bound};
+use radiosity::mesh::{ElementId, Mesh};
+use radiosity::solve::{
+    Brightest, Enclosure, GaussSeidel, Overshoot, Shoot, Solver, error_bound,
+};
 
 /// A cube whose top emits 1 W/m², `k × k` elements a wall, with exact factors.
 fn lit_cube(k: usize, rho: f64) -> (Enclosure, Matrix) {
@@ -147,6 +149,51 @@ fn row_52_ambient_light_passes_walls() {
         solver.next();
     }
     assert!(solver.radiosity()[6..].iter().all(|b| *b == Rgb::ZERO));
+}
+
+/// Row 53: two facing squares that reflect 0.99. Who shoots ahead as the ambient term of a
+/// closed room has it sends a hundred times what will come back; the debt is sent back, and
+/// so on: ten thousand times more with each ten shots. The same guess within the safe bound
+/// converges; so does anything below twice the unshot light, and nothing above.
+#[test]
+fn row_53_overshooting_without_bound_explodes() {
+    let squares = [unit_square(0.0, true), unit_square(1.0, false)];
+    let lit = squares.into_iter().zip([1.0, 0.0]);
+    let scene = scene(lit.map(|(square, e)| (square, e, 0.99)));
+    let mesh = Mesh::uniform(&scene, 0.25);
+    let enclosure = Enclosure::of(&scene, &mesh);
+    let matrix = exact_factors(&mesh);
+    let debt = |shoot: &Shoot| {
+        let owed: Vec<Rgb> = shoot.unshot().iter().map(|u| -u.min(Rgb::ZERO)).collect();
+        total(&enclosure, &owed)
+    };
+    // After so many shots, each as large as `rule` says of unshot and ambient light.
+    let after = |shots: usize, rule: fn(f64, f64) -> f64| {
+        let mut solver = Shoot::new(&enclosure, &matrix, Brightest::ByPower);
+        let mut last = 0.0;
+        for _ in 0..shots {
+            let ambient = 0.99 * solver.ambient().x;
+            let amount = |i: usize| rule(solver.unshot()[i].x, ambient);
+            let most = |&i: &usize, &j: &usize| {
+                amount(i).abs().total_cmp(&amount(j).abs()).then(j.cmp(&i))
+            };
+            let i = (0..enclosure.len()).max_by(most).unwrap();
+            let amount = Rgb::splat(amount(i));
+            last = solver.send(ElementId(i as u32), amount).residual;
+        }
+        (debt(&solver), last)
+    };
+    let unbounded = |unshot: f64, ambient: f64| unshot + ambient;
+    let bounded = |unshot: f64, ambient: f64| {
+        let most = Overshoot::SAFE * unshot;
+        (unshot + ambient).clamp(most.min(0.0), most.max(0.0))
+    };
+    let growth = after(40, unbounded).0 / after(20, unbounded).0;
+    assert!((1e6..1e10).contains(&growth), "{growth:e}");
+    assert!(after(3000, bounded).1 < 1e-4);
+    let growth = after(400, |u, _| 2.1 * u).0 / after(300, |u, _| 2.1 * u).0;
+    assert!((1e3..1e6).contains(&growth), "{growth:e}");
+    assert!(after(10_000, |u, _| 1.9 * u).1 < 1e-4);
 }
 
 /// Row 54: one sweep of Gauss–Seidel depends on the order of the elements, here by 8 %;

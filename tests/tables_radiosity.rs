@@ -7,7 +7,7 @@ use common::{cases, within};
 use radiosity::form_factor::{Lost, Matrix, Row};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
-use radiosity::solve::{Brightest, Enclosure, GaussSeidel, Shoot, Solver};
+use radiosity::solve::{Brightest, Enclosure, GaussSeidel, Overshoot, Shoot, Solver};
 use serde_json::Value;
 
 fn numbers(v: &Value) -> Vec<f64> {
@@ -39,9 +39,11 @@ fn gathering_and_shooting_solve_the_systems() {
     for case in &cases {
         let (enclosure, matrix) = system(case);
         let shooting = Shoot::new(&enclosure, &matrix, Brightest::ByPower);
+        let overshooting = Overshoot::new(&enclosure, &matrix);
         for (name, radiosity) in [
             ("gather", gathered(&enclosure, &matrix, 1e-11, 1_000_000)),
             ("shoot", solved_by(&enclosure, shooting, 1e-11, 3_000_000)),
+            ("overshoot", solved_by(&enclosure, overshooting, 1e-11, 3_000_000)),
         ] {
             let expected = numbers(&case["expected"]["B"]);
             // the whole field to 1e-9: a face that is nearly black has its share of it

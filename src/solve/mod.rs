@@ -10,6 +10,7 @@
 //! |------------|------------------------------------------------|----------------------------|
 //! | [`GaussSeidel`] | all factors are at hand                        | ρ → 1: sweeps ~ 1/(1 − ρ)  |
 //! | [`Shoot`]  | a picture is wanted early, factors row by row  | every last bit is wanted   |
+//! | [`Overshoot`] | the same, and light lasts long              | nothing comes back: no gain |
 //!
 //! Both are iterators: each step yields the [`Ledger`] and the residual. Not converging is
 //! a value, never an error. A [`Certificate`] then says how far the field is from the truth.
@@ -23,6 +24,7 @@ mod certificate;
 mod direct;
 mod gauss_seidel;
 mod ledger;
+mod overshoot;
 mod shoot;
 mod solution;
 mod solver;
@@ -31,6 +33,7 @@ pub use certificate::{Audit, Certificate, Sampling, audit, certify};
 pub use direct::{Direct, OnPiece};
 pub use gauss_seidel::GaussSeidel;
 pub use ledger::Ledger;
+pub use overshoot::Overshoot;
 pub use shoot::{Brightest, Shoot};
 pub use solution::{Factors, Method, Options, Progress, Solution, solve, solve_on};
 pub use solver::{Outcome, Solver, Step, contraction, error_bound};

@@ -16,16 +16,20 @@ pub enum Brightest {
     ByRadiosity,
 }
 
-/// Progressive shooting, which is Southwell's relaxation.
+/// Progressive shooting, which is Southwell's relaxation (Gortler, Cohen & Slusallek 1994).
 ///
 /// ```text
-/// ΔB_j += ρ_j F_ij A_i/A_j ΔB_i     for all j;  then ΔB_i = 0
+/// B_j += ρ_j F_ij A_i/A_j ΔB_i = ρ_j F_ji ΔB_i     and ΔB_j too, for all j;  ΔB_i = 0
 /// ```
-/// Needs one row of factors a step. Elements that have no light left to send are never
-/// chosen, so that it iterates over emitting elements only. Ends (`None`) when no light is
-/// left at all.
+/// Needs one row of factors a step, that of the element that shoots. Elements without light
+/// left to send are never chosen, so that it iterates over emitting elements only. Ends
+/// (`None`) when no light is left at all.
+///
+/// A step takes the time of a row and some `n` additions, to look for the brightest and to
+/// keep the books. What it saves is rows: those of elements that never shine are never
+/// asked for.
 pub struct Shoot<'a> {
-    enclosure: &'a Enclosure,
+    pub(super) enclosure: &'a Enclosure,
     factors: &'a dyn FormFactors,
     brightest: Brightest,
     irradiance: Vec<Rgb>,
@@ -61,58 +65,55 @@ impl<'a> Shoot<'a> {
         &self.unshot
     }
 
+    /// The power that was shot and reached no front, W.
+    pub(super) fn lost(&self) -> Rgb {
+        self.lost.escaped + self.lost.absorbed
+    }
+
     /// The brightest `count` elements, brightest first; fewer when fewer have light left.
     pub fn brightest(&self, count: usize) -> Vec<ElementId> {
-        let weight = |i: usize| match self.brightest {
+        // ANCHOR: brightness
+        let brightness = |i: usize| match self.brightest {
             Brightest::ByPower => self.enclosure.area[i] * self.unshot[i].element_sum(),
             Brightest::ByRadiosity => self.unshot[i].element_sum(),
         };
-        let mut left: Vec<(f64, usize)> = (0..self.unshot.len())
-            .map(|i| (weight(i), i))
-            .filter(|w| w.0 > 0.0)
-            .collect();
-        let order = |a: &(f64, usize), b: &(f64, usize)| {
-            b.0.total_cmp(&a.0).then(a.1.cmp(&b.1))
-        };
-        if left.len() > count {
-            left.select_nth_unstable_by(count, order);
-            left.truncate(count);
-        }
-        left.sort_by(order);
-        left.into_iter().map(|(_, i)| ElementId(i as u32)).collect()
+        // ANCHOR_END: brightness
+        largest(self.unshot.len(), brightness, count)
     }
 
-    /// `B` plus a guess at the light that is still under way, **for display only**.
+    /// How bright the room would be, in W/m², were the unshot light spread evenly:
     ///
     /// ```text
-    /// ambient = Σ A ΔB / Σ A · 1/(1 − ρ̄)     B_i + ρ_i · ambient      (Cohen et al. 1988)
+    /// a = Σ A ΔB / Σ A · (1 + ρ̄ + ρ̄² + …) = Σ A ΔB / Σ A (1 − ρ)      (Cohen et al. 1988)
     /// ```
-    /// with `ρ̄` the area's mean reflectance. It is wrong for rooms that do not see each
-    /// other, and never part of the solution.
-    pub fn with_ambient(&self) -> Vec<Rgb> {
-        let area: f64 = self.enclosure.area.iter().sum();
-        let reflectance = &self.enclosure.reflectance;
-        let mean = self.enclosure.power(reflectance.iter().copied()) / area;
-        let unshot = self.enclosure.power(self.unshot.iter().copied()) / area;
-        let ambient = unshot / (Rgb::ONE - mean);
-        self.radiosity
-            .iter()
-            .zip(reflectance)
-            .map(|(&b, &rho)| b + rho * ambient)
-            .collect()
+    /// with `ρ̄` the area's mean reflectance. A guess at the irradiance that is still to
+    /// come: too large for rooms that light can leave, and blind to walls.
+    pub fn ambient(&self) -> Rgb {
+        // ANCHOR: ambient
+        let reflectance = self.enclosure.reflectance.iter();
+        let kept = self.enclosure.power(reflectance.map(|&rho| Rgb::ONE - rho));
+        let unshot = self.enclosure.power(self.unshot.iter().copied());
+        unshot / kept
+        // ANCHOR_END: ambient
     }
-}
 
-impl Iterator for Shoot<'_> {
-    type Item = Step;
+    /// `B_i + ρ_i a`: the radiosity with the [ambient](Shoot::ambient) guess at the light
+    /// that is still under way, **for display only**: never part of the solution.
+    pub fn with_ambient(&self) -> Vec<Rgb> {
+        let ambient = self.ambient();
+        let lit = self.radiosity.iter().zip(&self.enclosure.reflectance);
+        lit.map(|(&b, &rho)| b + rho * ambient).collect()
+    }
 
-    // ANCHOR: shoot
-    fn next(&mut self) -> Option<Step> {
-        let from = *self.brightest(1).first()?;
+    /// Element `from` shoots `amount` of radiosity, W/m², whoever is the brightest: of its
+    /// unshot radiosity `ΔB − amount` is left, which is negative when that is more than it
+    /// had. [`Shoot::next`] sends all there is, [`super::Overshoot`] some more.
+    pub fn send(&mut self, from: ElementId, amount: Rgb) -> Step {
         let i = from.0 as usize;
         let lost = self.factors.row(from, &mut self.row);
-        let power = self.enclosure.area[i] * self.unshot[i];
-        self.unshot[i] = Rgb::ZERO;
+        // ANCHOR: send
+        let power = self.enclosure.area[i] * amount;
+        self.unshot[i] -= amount;
         self.lost.add(power, lost);
         for (j, &factor) in self.row.iter().enumerate().filter(|(_, f)| **f != 0.0) {
             let arriving = power * factor / self.enclosure.area[j];
@@ -121,7 +122,41 @@ impl Iterator for Shoot<'_> {
             self.radiosity[j] += reflected;
             self.unshot[j] += reflected;
         }
-        Some(self.step(from))
+        // ANCHOR_END: send
+        let (irradiance, unshot) = (&self.irradiance, &self.unshot);
+        Step {
+            ledger: Ledger::draw_up(self.enclosure, irradiance, unshot, self.lost),
+            residual: self.enclosure.relative_residual(unshot, &self.radiosity),
+            shot: Some(from),
+        }
+    }
+}
+
+/// The `count` of `n` elements with the largest value, largest first, of those above 0.
+pub(super) fn largest(
+    n: usize,
+    value: impl Fn(usize) -> f64,
+    count: usize,
+) -> Vec<ElementId> {
+    let mut left: Vec<(f64, usize)> =
+        (0..n).map(|i| (value(i), i)).filter(|v| v.0 > 0.0).collect();
+    let order =
+        |a: &(f64, usize), b: &(f64, usize)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
+    if left.len() > count {
+        left.select_nth_unstable_by(count, order);
+        left.truncate(count);
+    }
+    left.sort_by(order);
+    left.into_iter().map(|(_, i)| ElementId(i as u32)).collect()
+}
+
+impl Iterator for Shoot<'_> {
+    type Item = Step;
+
+    // ANCHOR: shoot
+    fn next(&mut self) -> Option<Step> {
+        let from = *self.brightest(1).first()?;
+        Some(self.send(from, self.unshot[from.0 as usize]))
     }
     // ANCHOR_END: shoot
 }
@@ -135,16 +170,5 @@ impl Solver for Shoot<'_> {
     /// What has arrived so far.
     fn irradiance(&self) -> &[Rgb] {
         &self.irradiance
-    }
-}
-
-impl Shoot<'_> {
-    fn step(&self, from: ElementId) -> Step {
-        let (irradiance, unshot) = (&self.irradiance, &self.unshot);
-        Step {
-            ledger: Ledger::draw_up(self.enclosure, irradiance, unshot, self.lost),
-            residual: self.enclosure.relative_residual(unshot, &self.radiosity),
-            shot: Some(from),
-        }
     }
 }

@@ -23,6 +23,7 @@
 
 use crate::geometry::{Polygon, Ray, bounds};
 use glam::DVec3;
+use smallvec::{SmallVec, smallvec};
 use std::ops::Range;
 
 /// What a ray meets.
@@ -90,7 +91,7 @@ impl Visibility {
         let shear = Shear::along(ray.direction);
         let inverse = ray.direction.recip();
         let mut best: Option<Hit> = None;
-        let mut stack = vec![(0.0, 0u32)];
+        let mut stack: SmallVec<[(f64, u32); 32]> = smallvec![(0.0, 0)];
         while let Some((entry, at)) = stack.pop() {
             let Some(node) = self.nodes.get(at as usize) else { break };
             if best.is_some_and(|b| entry > b.distance) {

@@ -3,6 +3,7 @@
 use super::{Element, Mesh};
 use crate::geometry::{Polygon, Rgb};
 use glam::DVec3;
+use smallvec::SmallVec;
 
 impl Mesh {
     /// The value at `p`, a point of `element`, between those of its corners.
@@ -27,7 +28,7 @@ impl Mesh {
 /// and its neighbours (Wachspress 1975; Meyer, Lee, Barr & Desbrun 2002). A point a
 /// hair outside counts as on the edge. A corner in the middle of a straight edge has
 /// weight 0.
-pub fn wachspress(polygon: &Polygon, p: DVec3) -> Vec<f64> {
+pub fn wachspress(polygon: &Polygon, p: DVec3) -> SmallVec<[f64; 8]> {
     let v = polygon.vertices();
     let n = v.len();
     let triangle = |a: DVec3, b: DVec3, c: DVec3| {
@@ -39,7 +40,7 @@ pub fn wachspress(polygon: &Polygon, p: DVec3) -> Vec<f64> {
         let others = (0..n).filter(|&j| j != k && j != before);
         triangle(v[before], v[k], v[(k + 1) % n]) * others.map(edge).product::<f64>()
     };
-    let weights: Vec<f64> = (0..n).map(weight).collect();
+    let weights: SmallVec<[f64; 8]> = (0..n).map(weight).collect();
     let sum: f64 = weights.iter().sum();
     let even = 1.0 / n as f64; // no point of the polygon at all: the mean
     weights.iter().map(|w| if sum > 0.0 { w / sum } else { even }).collect()

@@ -1,12 +1,17 @@
 //! From products at points to norms with bounds.
 
 use super::gathering::Point;
+use super::propagate::Means;
 use super::strata::Strata;
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
 
 /// So many standard errors to either side.
-pub(super) const QUANTILE: f64 = 3.0;
+const QUANTILE: f64 = 2.5;
+
+/// The share of the error's variation within strata that may reach others: as far as the
+/// light from a stratum depends on where on it the error lies.
+const UNEVEN: f64 = 0.05;
 
 /// A norm, W/m² times the root of an area, and its bounds.
 #[derive(Clone, Copy, Debug)]
@@ -17,8 +22,21 @@ pub(super) struct Norm {
 }
 
 impl Norm {
-    /// The norm whose square the products `squares`, one at each point, average to.
-    pub fn of(strata: &Strata, points: &[Point], squares: &[Rgb], c: usize) -> Norm {
+    /// The norm whose square the products `squares`, one at each point, average to, in
+    /// channel `c`.
+    ///
+    /// ```text
+    /// ‖e‖² = Σ_h A_h mean_h(e₁ e₂) − ‖K δ‖²
+    /// σ²   = Σ_h A_h² s_h²/n_h + 4 ‖e‖² ‖K δ‖² + 2 ‖K δ‖⁴
+    /// ```
+    /// with `δ` the noise of the mean errors that both of a pair have in common.
+    pub fn of(
+        strata: &Strata,
+        points: &[Point],
+        squares: &[Rgb],
+        means: &Means,
+        c: usize,
+    ) -> Norm {
         let (mut sum, mut variance) = (0.0, 0.0);
         let mut first = 0;
         for group in points.chunk_by(|a, b| a.stratum == b.stratum) {
@@ -31,9 +49,19 @@ impl Norm {
             sum += area * mean;
             variance += area * area * off / ((n - 1.0) * n);
         }
-        let root = |x: f64| x.max(0.0).sqrt();
+        let noise = means.noise[c];
+        sum = (sum - noise).max(0.0);
+        variance += noise * (4.0 * sum + 2.0 * noise);
         let width = QUANTILE * variance.sqrt();
+        let root = |x: f64| x.max(0.0).sqrt();
         Norm { likely: root(sum), low: root(sum - width), high: root(sum + width) }
+    }
+
+    /// The bounds moved apart by what the noise does not tell: that of the norm of the
+    /// error.
+    pub fn doubt(&self, means: &Means, c: usize) -> f64 {
+        let within = (self.likely.powi(2) - means.squared[c]).max(0.0).sqrt();
+        means.missing[c] + UNEVEN * means.reflectance[c] * within
     }
 
     /// With bounds that are farther apart by `doubt` to either side.

@@ -31,7 +31,7 @@ use super::Enclosure;
 use crate::geometry::Rgb;
 use crate::mesh::{ElementId, Mesh};
 use crate::scene::Scene;
-use gathering::Gathering;
+use gathering::{Gathering, Point};
 use glam::DVec3;
 use interval::Norm;
 use propagate::Exchange;
@@ -75,7 +75,7 @@ pub struct Sampling {
 
 impl Default for Sampling {
     fn default() -> Sampling {
-        Sampling { points: 1600, rays: 64, seed: 0 }
+        Sampling { points: 1600, rays: 128, seed: 0 }
     }
 }
 
@@ -108,31 +108,21 @@ pub fn audit(scene: &Scene, mesh: &Mesh, field: Field, sampling: Sampling) -> Au
     let strata = Strata::of(mesh, &enclosure, sampling.points);
     let points = Gathering::new(scene, &enclosure, &strata, field, sampling).all();
     let exchange = Exchange::of(&strata, &enclosure, &points);
-    let means = exchange.errors(&strata, &points, sampling.seed);
-    let errors: Vec<[Rgb; 2]> = points
-        .iter()
-        .map(|p| [0, 1].map(|s| p.residual[s] + p.arriving(s, &means.error)))
-        .collect();
-    let pairs = |of: &dyn Fn(usize) -> [Rgb; 2]| -> Vec<Rgb> {
-        (0..points.len())
-            .map(|k| {
-                let [a, b] = of(k);
-                a * b
-            })
-            .collect()
+    let means = exchange.errors(&points, sampling.seed);
+    let pairs = |of: &dyn Fn(&Point, usize) -> Rgb| -> Vec<Rgb> {
+        points.iter().map(|p| of(p, 0) * of(p, 1)).collect()
     };
-    let of_error = pairs(&|k| errors[k]);
-    let of_truth = pairs(&|k| errors[k].map(|e| points[k].reflected + e));
-    let of_residual = pairs(&|k| points[k].residual);
+    let of_residual = pairs(&|p, set| p.residual[set]);
+    let error_at = |p: &Point, set| p.residual[set] + p.arriving(set, &means.error);
+    let of_error = pairs(&error_at);
+    let of_truth = pairs(&|p, set| p.reflected + error_at(p, set));
     let mut certificate =
         Certificate { error: 0.0, low: 0.0, high: 0.0, confidence: CONFIDENCE };
     for c in 0..3 {
-        let norm = |squares: &[Rgb]| Norm::of(&strata, &points, squares, c);
+        let norm = |squares: &[Rgb]| Norm::of(&strata, &points, squares, &means, c);
         let (error, truth) = (norm(&of_error), norm(&of_truth));
-        let (error, truth) = (
-            error.widened(means.doubt(&error, c)),
-            truth.widened(means.doubt(&error, c)),
-        );
+        let doubt = error.doubt(&means, c);
+        let (error, truth) = (error.widened(doubt), truth.widened(doubt));
         certificate.error = certificate.error.max(ratio(error.likely, truth.likely));
         certificate.low = certificate.low.max(ratio(error.low, truth.high));
         certificate.high = certificate.high.max(ratio(error.high, truth.low));

@@ -1,14 +1,13 @@
 //! From residuals to errors: `ē = r̄ + K ē`, per stratum.
 
 use super::gathering::Point;
-use super::interval::Norm;
 use super::strata::{NONE, Strata};
 use crate::geometry::Rgb;
 use crate::random::Stream;
 use crate::solve::Enclosure;
 
-/// Sweeps at the most; each leaves `ρ` or less of what was missing.
-const MOST_SWEEPS: usize = 1000;
+/// Sweeps at the most.
+const MOST_SWEEPS: usize = 200;
 
 /// What is missing may be this share of what is found.
 const SETTLED: f64 = 1e-3;
@@ -28,111 +27,104 @@ pub(super) struct Exchange {
 pub(super) struct Means {
     /// `ē`, W/m².
     pub error: Vec<Rgb>,
-    /// Area norm of the noise of `K ē`, W/m² times the root of an area.
-    noise: Rgb,
-    /// Area norm of what sweeps left over.
-    rest: Rgb,
+    /// `‖K δ‖²`, with `δ` the noise of `ē`; area norm.
+    pub noise: Rgb,
+    /// `‖ē‖²`, area norm.
+    pub squared: Rgb,
+    /// Area norm of what is missing in `ē`, at the most.
+    pub missing: Rgb,
     /// `ρ_max`.
-    reflectance: Rgb,
-    /// Area norm of `ē`, squared.
-    squared: Rgb,
+    pub reflectance: Rgb,
 }
-
-impl Means {
-    /// By how much the norm of the error, in channel `c`, may be off because of `ē`.
-    pub fn doubt(&self, error: &Norm, c: usize) -> f64 {
-        let within = (error.likely.powi(2) - self.squared[c]).max(0.0).sqrt();
-        super::interval::QUANTILE * self.noise[c]
-            + self.rest[c]
-            + UNEVEN * self.reflectance[c] * within
-    }
-}
-
-/// The share of the error's variation within strata that may reach others.
-const UNEVEN: f64 = 0.1;
 
 impl Exchange {
     pub fn of(strata: &Strata, enclosure: &Enclosure, points: &[Point]) -> Exchange {
         let mut row = vec![0.0; strata.len()];
         let mut rows = Vec::with_capacity(strata.len());
-        for of_stratum in points.chunk_by(|a, b| a.stratum == b.stratum) {
-            let sets = || of_stratum.iter().flat_map(|p| &p.met);
+        for group in points.chunk_by(|a, b| a.stratum == b.stratum) {
+            let sets = || group.iter().flat_map(|p| &p.met);
             let rays: usize = sets().map(Vec::len).sum();
-            sets()
-                .flatten()
-                .filter(|&&h| h != NONE)
-                .for_each(|&h| row[h as usize] += 1.0);
-            let nonzero = row.iter().enumerate().filter(|(_, w)| **w > 0.0);
-            rows.push(nonzero.map(|(h, w)| (h as u32, w / rays as f64)).collect());
+            let met = sets().flatten().filter(|&&h| h != NONE);
+            met.for_each(|&h| row[h as usize] += 1.0 / rays as f64);
+            let lit_by = row.iter().enumerate().filter(|(_, w)| **w > 0.0);
+            rows.push(lit_by.map(|(h, &w)| (h as u32, w)).collect());
             row.fill(0.0);
         }
-        let of_stratum = |m: &std::ops::Range<usize>| {
-            enclosure.reflectance[strata.pieces[m.start].element as usize]
-        };
-        Exchange {
-            rows,
-            reflectance: strata.members.iter().map(of_stratum).collect(),
-            area: strata.area.clone(),
-        }
+        let element = |h: usize| strata.pieces[strata.members[h].start].element;
+        let reflectance =
+            (0..strata.len()).map(|h| enclosure.reflectance[element(h) as usize]);
+        Exchange { rows, reflectance: reflectance.collect(), area: strata.area.clone() }
     }
 
     /// The mean errors that the mean residuals of `points` lead to.
-    pub fn errors(&self, strata: &Strata, points: &[Point], seed: u64) -> Means {
-        let groups: Vec<&[Point]> =
-            points.chunk_by(|a, b| a.stratum == b.stratum).collect();
-        let mean = |group: &&[Point]| {
-            let sum: Rgb = group.iter().map(|p| p.residual[0] + p.residual[1]).sum();
-            0.5 * sum / group.len() as f64
-        };
-        let residual: Vec<Rgb> = groups.iter().map(mean).collect();
-        // Standard error of each mean.
-        let doubt = |(group, mean): (&&[Point], &Rgb)| {
-            let off =
-                |p: &Point| (0.5 * (p.residual[0] + p.residual[1]) - mean).powf(2.0);
+    pub fn errors(&self, points: &[Point], seed: u64) -> Means {
+        let (mut residual, mut doubt) = (Vec::new(), Vec::new());
+        for group in points.chunk_by(|a, b| a.stratum == b.stratum) {
             let n = group.len() as f64;
-            (group.iter().map(off).sum::<Rgb>() / (n * (n - 1.0))).map(f64::sqrt)
-        };
-        let doubt: Vec<Rgb> = groups.iter().zip(&residual).map(doubt).collect();
-        let (error, rest) = self.solve(&residual);
+            let both = |p: &Point| 0.5 * (p.residual[0] + p.residual[1]);
+            let mean = group.iter().map(both).sum::<Rgb>() / n;
+            let off: Rgb = group.iter().map(|p| (both(p) - mean).powf(2.0)).sum();
+            residual.push(mean);
+            doubt.push((off / (n * (n - 1.0))).map(f64::sqrt)); // its standard error
+        }
+        let (error, missing) = self.solve(&residual);
         let mut noise = Rgb::ZERO;
         for redrawn in 0..REDRAWN {
             let mut random = Stream::named(seed, &[u64::MAX, redrawn]);
-            let mut draw = || if random.next() < 0.5 { -1.0 } else { 1.0 };
-            let drawn: Vec<Rgb> = doubt.iter().map(|&d| draw() * d).collect();
+            let mut sign = || if random.next() < 0.5 { -1.0 } else { 1.0 };
+            let drawn: Vec<Rgb> = doubt.iter().map(|&d| sign() * d).collect();
             let (error, _) = self.solve(&drawn);
-            let arrived = error.iter().zip(&drawn).map(|(e, d)| e - d);
-            noise += self.norm_squared(arrived) / REDRAWN as f64;
+            let arriving = error.iter().zip(&drawn).map(|(e, d)| e - d);
+            noise += self.norm_squared(arriving) / REDRAWN as f64;
         }
         let squared = self.norm_squared(error.iter().copied());
-        let reflectance = self.reflectance.iter().fold(Rgb::ZERO, |m, &r| m.max(r));
-        debug_assert_eq!(groups.len(), strata.len());
-        Means { error, noise: noise.map(f64::sqrt), rest, reflectance, squared }
+        Means { error, noise, squared, missing, reflectance: self.largest() }
     }
 
-    /// Gauss–Seidel: `e = r + K e`, and a bound of the norm of what is missing.
+    /// Gauss–Seidel with an ambient term: `e = r + K e`, and a bound of the norm of what
+    /// is missing in it.
     fn solve(&self, residual: &[Rgb]) -> (Vec<Rgb>, Rgb) {
-        let largest = self.reflectance.iter().fold(Rgb::ZERO, |m, &r| m.max(r));
+        // What a light of the shape ρ everywhere loses on its way: `Σ A (ρ − K ρ)`.
+        let shape = &self.reflectance;
+        let lost = self.power(|h| shape[h] - self.arriving(h, shape));
         let mut error = residual.to_vec();
         let mut rest = Rgb::INFINITY;
         for _ in 0..MOST_SWEEPS {
-            let mut change = Rgb::ZERO;
-            for h in 0..error.len() {
-                let sent: Rgb =
-                    self.rows[h].iter().map(|&(j, w)| w * error[j as usize]).sum();
-                let new = residual[h] + self.reflectance[h] * sent;
-                change += self.area[h] * (new - error[h]).powf(2.0);
-                error[h] = new;
-            }
-            rest = change.map(f64::sqrt) * largest / (Rgb::ONE - largest);
-            let found = self.norm_squared(error.iter().copied()).map(f64::sqrt);
-            if rest.cmple(SETTLED * found).all() {
+            let missing: Vec<Rgb> = (0..error.len())
+                .map(|h| residual[h] + self.arriving(h, &error) - error[h])
+                .collect();
+            let norm = |x: &[Rgb]| self.norm_squared(x.iter().copied()).map(f64::sqrt);
+            rest = norm(&missing) / (Rgb::ONE - self.largest());
+            if rest.cmple(SETTLED * norm(&error)).all() {
                 break;
+            }
+            let ambient = self.power(|h| missing[h]) / lost;
+            let ambient = ambient.map(|a| if a.is_finite() { a } else { 0.0 });
+            for h in 0..error.len() {
+                error[h] += ambient * shape[h];
+            }
+            for h in 0..error.len() {
+                error[h] = residual[h] + self.arriving(h, &error);
             }
         }
         (error, rest)
     }
 
+    /// `ρ H` on stratum `h` of what leaves all.
+    fn arriving(&self, h: usize, leaving: &[Rgb]) -> Rgb {
+        let sent = self.rows[h].iter().map(|&(j, w)| w * leaving[j as usize]);
+        self.reflectance[h] * sent.sum::<Rgb>()
+    }
+
+    fn power(&self, of: impl Fn(usize) -> Rgb) -> Rgb {
+        self.area.iter().enumerate().map(|(h, &area)| area * of(h)).sum()
+    }
+
     fn norm_squared(&self, x: impl Iterator<Item = Rgb>) -> Rgb {
         self.area.iter().zip(x).map(|(&area, x)| area * x * x).sum()
+    }
+
+    fn largest(&self) -> Rgb {
+        self.reflectance.iter().fold(Rgb::ZERO, |m, &r| m.max(r))
     }
 }

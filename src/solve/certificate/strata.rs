@@ -9,6 +9,9 @@ use std::ops::Range;
 /// So many points fall on a stratum of the usual area.
 const POINTS_EACH: usize = 4;
 
+/// A stratum may be worth so much, in units of the usual one.
+const MOST: f64 = 1.2;
+
 /// No stratum has fewer: the variance within it must show.
 const POINTS_AT_LEAST: usize = 2;
 
@@ -23,6 +26,9 @@ pub(super) struct Piece {
 
 /// The reflecting surfaces in strata: each a part of one surface, made of pieces that
 /// follow one another.
+///
+/// Half of the points are shared out by area, half by number of elements: elements are
+/// small where light changes quickly, and the error most.
 pub(super) struct Strata {
     pub pieces: Vec<Piece>,
     /// Per piece: its stratum, or [`NONE`].
@@ -39,54 +45,58 @@ impl Strata {
     /// Strata for about so many points in all.
     pub fn of(mesh: &Mesh, enclosure: &Enclosure, points: usize) -> Strata {
         let reflects = |k: usize| enclosure.reflectance[k] != Rgb::ZERO;
-        let lit = (0..enclosure.len()).filter(|&k| reflects(k));
-        let total: f64 = lit.map(|k| enclosure.area[k]).sum();
-        let usual = total / (points / POINTS_EACH).max(4) as f64;
-        let mut strata = Strata {
-            pieces: Vec::new(),
-            of_piece: Vec::new(),
-            members: Vec::new(),
-            area: Vec::new(),
-            points: Vec::new(),
+        let lit: Vec<usize> = (0..enclosure.len()).filter(|&k| reflects(k)).collect();
+        let area: f64 = lit.iter().map(|&k| enclosure.area[k]).sum();
+        let strata = (points / POINTS_EACH).max(4) as f64;
+        // Of an element, how many strata it is worth.
+        let worth = |k: usize| {
+            0.5 * strata * (enclosure.area[k] / area + 1.0 / lit.len() as f64)
         };
+        let (mut pieces, mut of_piece) = (Vec::new(), Vec::new());
+        let mut members: Vec<Range<usize>> = Vec::new();
+        let mut worths: Vec<f64> = Vec::new();
         let mut surface = None;
-        for (k, element) in mesh.elements.iter().enumerate() {
-            let here = Some(mesh.patch_of(element).surface);
-            let mut pieces = Vec::new();
-            if reflects(k) {
-                divide(&element.polygon, usual, &mut pieces);
-            } else {
-                pieces.push(element.polygon.clone());
+        for (k, element) in (0u32..).zip(&mesh.elements) {
+            if !reflects(k as usize) {
+                pieces.push(Piece { polygon: element.polygon.clone(), element: k });
+                of_piece.push(NONE);
+                surface = None;
+                continue;
             }
-            for polygon in pieces {
-                let area = polygon.area();
-                let at = strata.pieces.len();
-                strata.pieces.push(Piece { polygon, element: k as u32 });
-                if !reflects(k) {
-                    strata.of_piece.push(NONE);
-                    continue;
-                }
-                match strata.area.last_mut() {
-                    Some(sum) if surface == here && *sum + area <= 1.2 * usual => {
-                        *sum += area;
-                        let last = strata.members.len() - 1;
-                        strata.members[last].end = at + 1;
+            let here = Some(mesh.patch_of(element).surface);
+            let worth = worth(k as usize);
+            let mut parts = Vec::new();
+            divide(&element.polygon, worth, &mut parts);
+            for (polygon, worth) in parts {
+                match (members.last_mut(), worths.last_mut()) {
+                    (Some(last), Some(sum))
+                        if surface == here && *sum + worth <= MOST =>
+                    {
+                        last.end += 1;
+                        *sum += worth;
                     }
                     _ => {
-                        strata.area.push(area);
-                        strata.members.push(at..at + 1);
+                        members.push(pieces.len()..pieces.len() + 1);
+                        worths.push(worth);
                     }
                 }
-                strata.of_piece.push(strata.area.len() as u32 - 1);
                 surface = here;
+                of_piece.push(members.len() as u32 - 1);
+                pieces.push(Piece { polygon, element: k });
             }
         }
-        let count = |&area: &f64| {
-            let share = (POINTS_EACH as f64 * area / usual).round() as usize;
-            share.max(POINTS_AT_LEAST)
+        let area =
+            |m: &Range<usize>| pieces[m.clone()].iter().map(|p| p.polygon.area()).sum();
+        let count = |worth: &f64| {
+            ((POINTS_EACH as f64 * worth).round() as usize).max(POINTS_AT_LEAST)
         };
-        strata.points = strata.area.iter().map(count).collect();
-        strata
+        Strata {
+            area: members.iter().map(area).collect(),
+            points: worths.iter().map(count).collect(),
+            pieces,
+            of_piece,
+            members,
+        }
     }
 
     pub fn len(&self) -> usize {
@@ -110,14 +120,14 @@ impl Strata {
     }
 }
 
-/// Halves `polygon` until its parts are no larger than 1.2 times `usual`.
-fn divide(polygon: &Polygon, usual: f64, into: &mut Vec<Polygon>) {
-    let parts: Vec<Polygon> =
-        if polygon.area() > 1.2 * usual { polygon.halves().collect() } else { vec![] };
+/// Halves `polygon`, worth so many strata, until its parts are worth no more than
+/// [`MOST`]; hands on each with its worth.
+fn divide(polygon: &Polygon, worth: f64, into: &mut Vec<(Polygon, f64)>) {
+    let halves: Vec<Polygon> = polygon.halves().collect();
     // A sliver that cannot be cut stays whole.
-    if parts.len() == 2 {
-        parts.iter().for_each(|part| divide(part, usual, into));
+    if worth <= MOST || halves.len() < 2 {
+        into.push((polygon.clone(), worth));
     } else {
-        into.push(polygon.clone());
+        halves.iter().for_each(|half| divide(half, 0.5 * worth, into));
     }
 }

@@ -1,47 +1,65 @@
-//! Gathering: the radiosity equation row by row, Gauss–Seidel.
+//! Gauss–Seidel: the radiosity equation row by row.
 
-use super::ledger::LostPower;
-use super::{Enclosure, Ledger, Solver, Step};
-use crate::form_factor::{FormFactors, Matrix};
+use super::gather::{arriving, step};
+use super::{Enclosure, Solver, Step};
+use crate::form_factor::Matrix;
 use crate::geometry::Rgb;
 
 /// Gauss–Seidel: each element in turn gathers from all others' newest radiosities.
 ///
 /// ```text
-/// B_i ← E_i + ρ_i Σ_j F_ij B_j
+/// B_i ← E_i + ρ_i ( Σ_{j<i} F_ij B_j  +  Σ_{j≥i} F_ij B_j )
+///                     new already          from last time
 /// ```
-/// Converges as `ρ^sweeps` or better; `ρ < 1` is all it needs. A step is one sweep.
+/// A step is one sweep over the elements, and in a closed room does about as much as two
+/// bounces of [`super::Jacobi`], for the work of one: the second sum is made when the sweep
+/// is over, for the residual, and is there when the next begins.
 pub struct GaussSeidel<'a> {
     enclosure: &'a Enclosure,
     factors: &'a Matrix,
     radiosity: Vec<Rgb>,
     irradiance: Vec<Rgb>,
+    /// `Σ_{j≥i} F_ij B_j`.
+    later: Vec<Rgb>,
 }
 
 impl<'a> GaussSeidel<'a> {
     /// Starts with `B = E`.
     pub fn new(enclosure: &'a Enclosure, factors: &'a Matrix) -> GaussSeidel<'a> {
-        assert_eq!(enclosure.len(), factors.len(), "one row of factors per element");
+        assert_eq!(enclosure.len(), factors.rows().len(), "one row per element");
         let radiosity = enclosure.emission.clone();
-        let irradiance = vec![Rgb::ZERO; radiosity.len()];
-        GaussSeidel { enclosure, factors, radiosity, irradiance }
+        let (irradiance, later) = (Vec::new(), Vec::new());
+        let mut start =
+            GaussSeidel { enclosure, factors, radiosity, irradiance, later };
+        start.irradiance = vec![Rgb::ZERO; enclosure.len()];
+        start.later = start.gather_later();
+        start
     }
 
-    // ANCHOR: gather
-    fn gathered(&self, i: usize) -> Rgb {
+    /// The factors of row `i`, those to elements before it apart from all others.
+    fn halves(&self, i: usize) -> [&'a [(u32, f64)]; 2] {
         let row = self.factors.rows()[i].factors();
-        row.iter().map(|&(j, f)| f * self.radiosity[j as usize]).sum()
+        let (earlier, later) = row.split_at(row.partition_point(|f| f.0 < i as u32));
+        [earlier, later]
     }
 
+    fn gather_later(&self) -> Vec<Rgb> {
+        let n = self.radiosity.len();
+        (0..n).map(|i| arriving(self.halves(i)[1], &self.radiosity)).collect()
+    }
+
+    // ANCHOR: sweep
     fn sweep(&mut self) {
-        // ANCHOR: sweep
         for i in 0..self.radiosity.len() {
             let (e, rho) = (self.enclosure.emission[i], self.enclosure.reflectance[i]);
-            self.radiosity[i] = e + rho * self.gathered(i);
+            let earlier = arriving(self.halves(i)[0], &self.radiosity);
+            self.radiosity[i] = e + rho * (earlier + self.later[i]);
+            self.irradiance[i] = earlier;
         }
-        // ANCHOR_END: sweep
+        self.later = self.gather_later();
+        self.irradiance.iter_mut().zip(&self.later).for_each(|(h, l)| *h += l);
     }
-    // ANCHOR_END: gather
+    // ANCHOR_END: sweep
 }
 
 impl Iterator for GaussSeidel<'_> {
@@ -49,23 +67,7 @@ impl Iterator for GaussSeidel<'_> {
 
     fn next(&mut self) -> Option<Step> {
         self.sweep();
-        let n = self.radiosity.len();
-        self.irradiance = (0..n).map(|i| self.gathered(i)).collect();
-        let Enclosure { emission, reflectance, area } = self.enclosure;
-        let residual: Vec<Rgb> = (0..n)
-            .map(|i| {
-                emission[i] + reflectance[i] * self.irradiance[i] - self.radiosity[i]
-            })
-            .collect();
-        let mut lost = LostPower::default();
-        for (i, &b) in self.radiosity.iter().enumerate() {
-            lost.add(area[i] * b, self.factors.rows()[i].lost());
-        }
-        Some(Step {
-            ledger: Ledger::draw_up(self.enclosure, &self.irradiance, &residual, lost),
-            residual: self.enclosure.relative_residual(&residual, &self.radiosity),
-            shot: None,
-        })
+        Some(step(self.enclosure, self.factors, &self.radiosity, &self.irradiance))
     }
 }
 

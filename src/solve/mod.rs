@@ -6,23 +6,30 @@
 //! emitted = absorbed + escaped + unshot + imbalance        the ledger, W
 //! ```
 //!
-//! | method     | use it when                                    | it fails when              |
-//! |------------|------------------------------------------------|----------------------------|
-//! | [`GaussSeidel`] | all factors are at hand                        | ρ → 1: sweeps ~ 1/(1 − ρ)  |
-//! | [`Shoot`]  | a picture is wanted early, factors row by row  | every last bit is wanted   |
-//! | [`Overshoot`] | the same, and light lasts long              | nothing comes back: no gain |
+//! | method                 | use it when                        | it fails when              |
+//! |------------------------|------------------------------------|----------------------------|
+//! | [`Jacobi`]             | bounces are to be seen one by one  | ρ → 1: steps ~ 1/(1 − ρ)   |
+//! | [`GaussSeidel`]        | all factors are at hand            | the same, half as many     |
+//! | [`ConjugateGradients`] | ρ → 1: steps ~ 1/√(1 − ρ)          | factors are not reciprocal |
+//! | [`Shoot`]              | an early picture, row by row       | every last bit is wanted   |
+//! | [`Overshoot`]          | the same, and light lasts long     | none comes back: no gain   |
 //!
-//! Both are iterators: each step yields the [`Ledger`] and the residual. Not converging is
-//! a value, never an error. A [`Certificate`] then says how far the field is from the truth.
+//! All are a [`Solver`], an iterator: each step yields the [`Ledger`] and the residual, from
+//! which [`error_bound`] tells when to stop. Not converging is a value, never an error. A
+//! [`Certificate`] then says how far the field is from the truth.
 //!
 //! **Not here:** the factors ([`crate::form_factor`]); what a camera sees.
-//! Chapters *The radiosity equation* (L06), *Progressive refinement* (L13, L14).
+//! Chapters *The radiosity equation* (L06), *Solving it*, *Progressive refinement* (L13,
+//! L14).
 //! Sources: Goral et al. 1984; Cohen & Greenberg 1985; Cohen, Chen, Wallace &
-//! Greenberg 1988.
+//! Greenberg 1988; Hestenes & Stiefel 1952.
 
 mod certificate;
+mod conjugate;
 mod direct;
+mod gather;
 mod gauss_seidel;
+mod jacobi;
 mod ledger;
 mod overshoot;
 mod shoot;
@@ -30,8 +37,10 @@ mod solution;
 mod solver;
 
 pub use certificate::{Audit, Certificate, Sampling, audit, certify};
+pub use conjugate::ConjugateGradients;
 pub use direct::{Direct, OnPiece};
 pub use gauss_seidel::GaussSeidel;
+pub use jacobi::Jacobi;
 pub use ledger::Ledger;
 pub use overshoot::Overshoot;
 pub use shoot::{Brightest, Shoot};

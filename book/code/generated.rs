@@ -1,7 +1,7 @@
 //! The files of the book that a program writes; `tests/book.rs` fails when one is stale.
 
 use crate::hemicube::{cost, ledger, section, sheet, table, view};
-use crate::{factors, lecture_map, light};
+use crate::{factors, lecture_map, light, surface};
 use std::path::{Path, PathBuf};
 
 /// The folder of the package `book`.
@@ -29,6 +29,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
         files.push((name, sheet::caption(resolution, 0.02)));
     }
     files.extend(light::files());
+    files.extend(surface::files());
     files.extend(factors::files());
     let src = root().join("src");
     files.into_iter().map(|(name, text)| (src.join(name), text)).collect()

@@ -84,12 +84,30 @@ pub const ROWS: [Row; 23] = [
             lab: Some("labs/radiometry.md"),
         }),
     },
-    planned("BRDF", "How surfaces scatter: the BRDF", true),
-    planned(
-        "albedo (reflectance); energy conservation",
-        "Albedo and the conservation of energy",
-        true,
-    ),
+    Row {
+        topic: "BRDF",
+        title: "How surfaces scatter: the BRDF",
+        lab: true,
+        state: State::Done(Written {
+            page: "brdf.md",
+            module: "src/material/brdf.rs",
+            figure: "pictures/brdf-ball-1.snap.png",
+            test: ("tests/laws_brdf.rs", "samples_follow_their_density"),
+            lab: None,
+        }),
+    },
+    Row {
+        topic: "albedo (reflectance); energy conservation",
+        title: "Albedo and the conservation of energy",
+        lab: true,
+        state: State::Done(Written {
+            page: "albedo.md",
+            module: "src/material/mod.rs",
+            figure: "pictures/albedo-bare-0.snap.png",
+            test: ("tests/tables_brdf.rs", "phong_albedos"),
+            lab: None,
+        }),
+    },
     planned("the radiosity equation", "The radiosity equation", true),
     Row {
         topic: "the form factor: meaning, computation, reciprocity and closure",

@@ -12,6 +12,7 @@
 //! | [`ledger`]      | where the light went, as a table                             |
 //! | [`light`]       | figures and numbers of the chapters L01 to L03               |
 //! | [`factors`]     | figures and numbers of the chapter on form factors           |
+//! | [`surface`]     | figures and numbers of the chapters L04 and L05              |
 //! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //!
@@ -30,6 +31,7 @@ pub mod lecture_map;
 pub mod light;
 pub mod map;
 pub mod source;
+pub mod surface;
 pub mod timing;
 
 /// Every page of the book, so that `cargo test` runs its examples.
@@ -45,6 +47,8 @@ mod pages {
         assumptions: "assumptions.md",
         solid_angle: "solid-angle.md",
         radiometry: "radiometry.md",
+        brdf: "brdf.md",
+        albedo: "albedo.md",
         form_factors: "form-factors.md",
         hemicube: "hemicube.md",
         labs_solid_angle: "labs/solid-angle.md",

@@ -9,6 +9,7 @@ use book::cornell;
 use book::factors::{answers, errors, nusselt, pair, shadow};
 use book::hemicube::{sheet, table, view};
 use book::light::{assumptions, lamp, panorama, pieces};
+use book::surface::{ball, swap};
 use glam::{DVec3, dvec3};
 use picture::assert_picture;
 use radiosity::form_factor::analytic::lambert_polygon;
@@ -235,5 +236,47 @@ fn one_number_for_an_element_is_first_order() {
     for cuts in assumptions::CUTS {
         let picture = assumptions::error_picture(cuts);
         assert_picture(PICTURES, &format!("assumptions-error-{cuts}"), &picture);
+    }
+}
+
+/// A narrower lobe is brighter, as the same light goes into less of the sky.
+#[test]
+fn a_ball_under_a_lamp() {
+    for (k, n) in ball::EXPONENTS.into_iter().enumerate() {
+        assert_picture(PICTURES, &format!("brdf-ball-{k}"), &ball::lit_picture(n));
+    }
+    let brightest = |n| {
+        let pixels = ball::lit(n).pixels.into_iter();
+        pixels.map(|l| l.max_element()).fold(0.0, f64::max)
+    };
+    assert!(brightest(100.0) > 2.0 * brightest(20.0));
+}
+
+/// Light that goes back on its way finds the same surface, but by Phong's own formula:
+/// there it is off by the ratio of the two cosines, cos 50°/cos 80° = 3.70.
+#[test]
+fn lamp_and_eye_exchanged() {
+    let [there, back] = swap::exchanged(swap::Rule::Reciprocal);
+    assert_eq!(there, back);
+    let [there, back] = swap::exchanged(swap::Rule::NoCosine);
+    assert!((there / back - 3.7017).abs() < 1e-4, "{there} {back}");
+    for (k, rule) in swap::Rule::ALL.into_iter().enumerate() {
+        assert_picture(PICTURES, &format!("brdf-swap-{k}"), &swap::picture(rule));
+    }
+}
+
+/// The white Lambert ball vanishes in the furnace, the normalised ones darken at the rim,
+/// and those without their constant shine up to n = 4.28 = 2π − 2.
+#[test]
+fn balls_in_a_white_furnace() {
+    let lambert = ball::lambert_picture();
+    assert!(lambert.pixels().all(|p| p == lambert.get_pixel(0, 0)));
+    assert_picture(PICTURES, "albedo-lambert", &lambert);
+    for (k, n) in ball::WIDTHS.into_iter().enumerate() {
+        assert_picture(PICTURES, &format!("albedo-ball-{k}"), &ball::rim_picture(n));
+    }
+    for (k, n) in ball::BARE.into_iter().enumerate() {
+        assert_picture(PICTURES, &format!("albedo-bare-{k}"), &ball::bare_picture(n));
+        assert_eq!(ball::bare(n, 1.0) > 1.0, n < 4.28);
     }
 }

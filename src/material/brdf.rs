@@ -6,11 +6,11 @@ use crate::radiometry::cosine_direction;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
-// ANCHOR: lobe
 /// The shape of a scattering, of reflectance 1 at normal incidence.
 ///
 /// Directions are local, of unit length, and lead away from the surface; z is its normal.
 /// `wi` leads to where light comes from, `wo` to where it goes.
+// ANCHOR: lobe
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lobe {
     /// The same in all directions.
@@ -77,7 +77,9 @@ impl Lobe {
         match self {
             Lobe::Lambert => 1.0,
             Lobe::Phong { exponent: n } => {
+                // ANCHOR: hemispherical
                 2.0 / 3.0 + half_circle(n) * FRAC_1_PI / (3.0 * (n + 2.0))
+                // ANCHOR_END: hemispherical
             }
         }
     }
@@ -203,8 +205,10 @@ impl Material {
 impl Brdf {
     /// Its two lobes, each with its reflectance.
     fn lobes(&self) -> [(Rgb, Lobe); 2] {
+        // ANCHOR: lobes
         let gloss = Lobe::Phong { exponent: self.exponent };
         [(self.diffuse, Lobe::Lambert), (self.specular, gloss)]
+        // ANCHOR_END: lobes
     }
 
     /// How often the gloss lobe is sampled: its share of the reflectance, in `[0, 1]`.
@@ -234,11 +238,13 @@ impl Brdf {
     /// in proportion to their reflectances.
     pub fn sample(&self, wo: DVec3, u: DVec2) -> DVec3 {
         let (share, [(_, diffuse), (_, gloss)]) = (self.gloss_share(), self.lobes());
+        // ANCHOR: choose
         // What decides is stretched to the whole unit again.
         if u.x < share {
             gloss.sample(wo, dvec2(u.x / share, u.y))
         } else {
             diffuse.sample(wo, dvec2((u.x - share) / (1.0 - share), u.y))
         }
+        // ANCHOR_END: choose
     }
 }

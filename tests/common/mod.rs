@@ -4,6 +4,7 @@
 pub mod any;
 pub mod rooms;
 pub mod shapes;
+pub mod truth;
 
 use glam::DVec3;
 use radiosity::geometry::Polygon;

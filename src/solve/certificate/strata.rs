@@ -123,9 +123,10 @@ impl Strata {
 /// Halves `polygon`, worth so many strata, until its parts are worth no more than
 /// [`MOST`]; hands on each with its worth.
 fn divide(polygon: &Polygon, worth: f64, into: &mut Vec<(Polygon, f64)>) {
-    let halves: Vec<Polygon> = polygon.halves().collect();
+    let halves: Vec<Polygon> =
+        if worth > MOST { polygon.halves().collect() } else { vec![] };
     // A sliver that cannot be cut stays whole.
-    if worth <= MOST || halves.len() < 2 {
+    if halves.len() < 2 {
         into.push((polygon.clone(), worth));
     } else {
         halves.iter().for_each(|half| divide(half, 0.5 * worth, into));

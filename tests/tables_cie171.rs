@@ -1,13 +1,13 @@
 //! Test cases in the style of CIE 171:2006 (those without a sky), recomputed exactly.
 //!
-//! | case | source            | here                                                     |
-//! |------|-------------------|----------------------------------------------------------|
-//! | 5.2  | point, I₀ cosθ    | a tiny Lambertian square; the error falls as its area    |
-//! | 5.3  | square lamp       | as it is                                                 |
-//! | 5.4  | point, isotropic  | no polygon shines so: solid angles instead of factors    |
-//! | 5.6  | diffuse floor     | as it is                                                 |
-//! | 5.7  | the same, blocked | as it is                                                 |
-//! | 5.8  | point, isotropic  | its first reflection emits; means do not depend on where |
+//! | case | source            | here                                                  |
+//! |------|-------------------|-------------------------------------------------------|
+//! | 5.2  | point, I₀ cosθ    | a tiny Lambertian square; the error falls as its area |
+//! | 5.3  | square lamp       | as it is                                              |
+//! | 5.4  | point, isotropic  | no polygon shines so: solid angles instead of factors |
+//! | 5.6  | diffuse floor     | as it is                                              |
+//! | 5.7  | the same, blocked | as it is                                              |
+//! | 5.8  | point, isotropic  | its first reflection emits; the mean is compared      |
 //!
 //! A Lambertian polygon sends `L A cosθ`. A small cube of six sends in proportion to
 //! `|x| + |y| + |z|`, from 1 to √3: no set of flat lamps is isotropic. (A ball of many
@@ -39,8 +39,8 @@ fn square(side: f64, middle: DVec3, up: bool) -> Polygon {
     if up { square } else { square.flipped() }
 }
 
-/// The room of the cases, 4 × 4 × 3, with black walls: x = 0, x = 4, y = 0, y = 4, floor,
-/// ceiling.
+/// The room of the cases, 4 × 4 × 3, with black walls: x = 0, x = 4, y = 0, y = 4,
+/// floor, ceiling.
 fn walls() -> impl Iterator<Item = (Polygon, f64, f64)> {
     box_walls([4.0, 4.0, 3.0]).into_iter().map(|wall| (wall, 0.0, 0.0))
 }
@@ -65,7 +65,8 @@ fn meets(case: &Value, scene: &Scene, key: &str, unit: f64, gate: f64) {
     }
 }
 
-/// 5.3: a square metre of 1000 cd/m² in the ceiling; it is cut out of the ceiling itself.
+/// 5.3: a square metre of 1000 cd/m² in the ceiling; it is cut out of the ceiling
+/// itself.
 #[test]
 fn an_area_source_lights_walls_and_floor() {
     let case = case("E-5.3-area-source");
@@ -85,8 +86,8 @@ fn a_diffuse_reflector_lights_the_room() {
     }
 }
 
-/// 5.7: a diffuse wall lights the opposite one and the floor, past a low box: some points
-/// see all of it, some a part, two nothing.
+/// 5.7: a diffuse wall lights the opposite one and the floor, past a low box: some
+/// points see all of it, some a part, two nothing.
 #[test]
 fn an_obstruction_casts_its_shadow() {
     let case = case("E-5.7-obstruction");
@@ -97,9 +98,9 @@ fn an_obstruction_casts_its_shadow() {
     meets(&case, &room, "E_over_Ev_rho_percent", 0.01, 1e-9);
 }
 
-/// 5.2: `I₀ h²/d⁴` on the floor below a point of intensity `I₀ cosθ`. A Lambertian square
-/// of side s is that but for terms of (s/d)²: at s = 0.1 off by 1e-3 or less, and a tenth
-/// of the side has a hundredth of the error.
+/// 5.2: `I₀ h²/d⁴` on the floor below a point of intensity `I₀ cosθ`. A Lambertian
+/// square of side s is that but for terms of (s/d)²: at s = 0.1 off by 1e-3 or less,
+/// and a tenth of the side has a hundredth of the error.
 #[test]
 fn a_tiny_square_stands_for_a_cosine_source() {
     let case = case("E-5.2-lambertian");
@@ -155,8 +156,8 @@ fn the_flux_of_a_point_is_conserved() {
     assert!(within(sum, total, 1e-14, 0.0), "{sum}");
 }
 
-/// 5.8: `E = Φ/((1 − ρ) S)` in the mean over a cube, and `ρ` of it indirect - on any mesh,
-/// with the point anywhere: what an element gets at first, it emits `ρ` of.
+/// 5.8: `E = Φ/((1 − ρ) S)` in the mean over a cube, and `ρ` of it indirect - on any
+/// mesh, with the point anywhere: what an element gets at first, it emits `ρ` of.
 #[test]
 fn an_integrating_cube_has_its_mean() {
     let case = case("E-5.8-interreflection");

@@ -21,7 +21,8 @@ fn case(id: &str) -> Value {
     found.unwrap_or_else(|| panic!("no case {id}"))
 }
 
-/// Floor, left lamp, right lamp: radiance 1, so radiosity π; a floor that reflects half.
+/// Floor, left lamp, right lamp: radiance 1, so radiosity π; a floor that reflects
+/// half.
 fn emission_scene(case: &Value) -> Scene {
     let face = |key: &str, e, rho| (polygon(&case[key]), e, rho);
     scene([
@@ -79,7 +80,8 @@ fn a_lamp_in_a_hundred_pieces_is_the_lamp() {
     }
 }
 
-/// The same as power: factors between whole polygons, and the equation solved with them.
+/// The same as power: factors between whole polygons, and the equation solved with
+/// them.
 #[test]
 fn two_lamps_light_the_floor() {
     let case = case("D1-emission-flux");

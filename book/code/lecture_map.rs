@@ -108,7 +108,18 @@ pub const ROWS: [Row; 23] = [
             lab: None,
         }),
     },
-    planned("the radiosity equation", "The radiosity equation", true),
+    Row {
+        topic: "the radiosity equation",
+        title: "The radiosity equation",
+        lab: true,
+        state: State::Done(Written {
+            page: "radiosity-equation.md",
+            module: "src/solve",
+            figure: "pictures/equation-sum-2.snap.png",
+            test: ("book/tests/equation.rs", "light_comes_bounce_by_bounce"),
+            lab: Some("labs/gather.md"),
+        }),
+    },
     Row {
         topic: "the form factor: meaning, computation, reciprocity and closure",
         title: "Form factors",

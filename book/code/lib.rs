@@ -11,6 +11,7 @@
 //! | [`map`]         | a number for each pixel, in false colour                     |
 //! | [`ledger`]      | where the light went, as a table                             |
 //! | [`light`]       | figures and numbers of the chapters L01 to L03               |
+//! | [`equation`]    | figures and numbers of *The radiosity equation*              |
 //! | [`factors`]     | figures and numbers of the chapter on form factors           |
 //! | [`surface`]     | figures and numbers of the chapters L04 and L05              |
 //! | [`timing`]      | time and error of a call, for the charts                     |
@@ -22,6 +23,7 @@
 
 pub mod chart;
 pub mod cornell;
+pub mod equation;
 pub mod factors;
 pub mod generated;
 pub mod hemicube;
@@ -49,10 +51,12 @@ mod pages {
         radiometry: "radiometry.md",
         brdf: "brdf.md",
         albedo: "albedo.md",
+        radiosity_equation: "radiosity-equation.md",
         form_factors: "form-factors.md",
         hemicube: "hemicube.md",
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",
+        labs_gather: "labs/gather.md",
         labs_lambert: "labs/lambert.md",
         labs_sampling: "labs/sampling.md",
         labs_hemicube: "labs/hemicube.md",

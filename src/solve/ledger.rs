@@ -35,6 +35,7 @@ impl Ledger {
         residual: &[Rgb],
         lost: LostPower,
     ) -> Ledger {
+        // ANCHOR: draw_up
         let emitted = enclosure.power(enclosure.emission.iter().copied());
         let kept = enclosure.reflectance.iter().zip(irradiance);
         let absorbed = enclosure.power(kept.map(|(&rho, &h)| (Rgb::ONE - rho) * h));
@@ -42,6 +43,7 @@ impl Ledger {
         let unshot = enclosure.power(residual.iter().copied());
         let imbalance = emitted - absorbed - lost.escaped - unshot;
         Ledger { emitted, absorbed, escaped: lost.escaped, unshot, imbalance }
+        // ANCHOR_END: draw_up
     }
 
     /// The largest share of the emitted power that is out of balance, over the channels.

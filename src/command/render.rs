@@ -6,10 +6,13 @@ use super::values::{self, Size};
 use super::{Source, report};
 use clap::{Args, ValueEnum};
 use radiosity::film::{FalseColour, Format, Picture, Shot, png};
+use radiosity::geometry::Rgb;
 use radiosity::glam::DVec3;
-use radiosity::scene::Camera;
-use radiosity::solve::Solution;
+use radiosity::mesh::ElementId;
+use radiosity::scene::{Camera, Scene};
+use radiosity::solve::{Sampling, Solution, audit};
 use serde_json::json;
+use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -19,7 +22,8 @@ use std::time::Instant;
   radiosity render cornell -o cornell.png
   radiosity render room.obj -o room.exr --size 1920x1080 --eye 1,1.6,4 --target 2,1,0
   radiosity render l-room -o mesh.png --shading flat --view mesh --tolerance 5%
-  radiosity render cornell -o lux.png --view false-color")]
+  radiosity render cornell -o lux.png --view false-color
+  radiosity render cornell -o wrong.png --view error")]
 pub struct Render {
     #[command(flatten)]
     source: Source,
@@ -80,6 +84,8 @@ enum What {
     FalseColor,
     /// As it looks, with the outlines of the elements
     Mesh,
+    /// How wrong each element is, relative to the reflected light, from 0.1 % to 10 %
+    Error,
 }
 
 #[derive(Clone, Copy)]
@@ -100,6 +106,9 @@ fn exposure(text: &str) -> Result<Exposure, String> {
 
 /// The picture is drawn so often along each side of a pixel.
 const SAMPLES: u32 = 3;
+
+/// So many, so that the error of each can be told.
+const POINTS_ON_AN_ELEMENT: usize = 4;
 
 impl Render {
     /// The main job: the Cornell box, into `out/cornell.png`; makes the folder.
@@ -146,9 +155,12 @@ impl Render {
         let solution = solved(&scene, &options, terminal)?;
         terminal.progress("drawing", 0, 1);
         let shot = Shot { camera, width, height, samples: SAMPLES };
-        let picture = match self.shading {
-            Shading::Flat => shot.flat(&solution.mesh, &solution.radiosity),
-            Shading::Smooth => shot.smooth(&solution.mesh, &solution.vertex_radiosity),
+        let picture = match (self.view, self.shading) {
+            (What::Error, _) => self.errors(&shot, &scene, &solution, seed),
+            (_, Shading::Flat) => shot.flat(&solution.mesh, &solution.radiosity),
+            (_, Shading::Smooth) => {
+                shot.smooth(&solution.mesh, &solution.vertex_radiosity)
+            }
         };
         let exposure = match self.exposure {
             Exposure::Auto => picture.auto_exposure(),
@@ -166,6 +178,15 @@ impl Render {
             self.output.display(),
             report::percent(clamped)
         );
+        if self.view == What::Error {
+            let FalseColour { low, high } = FalseColour::ERRORS;
+            text += &format!(
+                "colours: elements off by {} (dark) to {} (bright) of the reflected \
+                 light\n",
+                report::percent(low),
+                report::percent(high)
+            );
+        }
         terminal.report(&text, || {
             let mut object = report::json_timed(&solution, options.tolerance, seconds);
             object["file"] = json!(self.output);
@@ -215,6 +236,27 @@ impl Render {
         Ok(Camera { eye, target, up, fov })
     }
 
+    /// The error of what is shown, flat or smooth, in place of the light; each element
+    /// has the error that was measured on it.
+    fn errors(
+        &self,
+        shot: &Shot,
+        scene: &Scene,
+        solution: &Solution,
+        seed: u64,
+    ) -> Picture {
+        let Solution { mesh, radiosity, vertex_radiosity, .. } = solution;
+        let field = |id: ElementId, x| match self.shading {
+            Shading::Flat => radiosity[id.0 as usize],
+            Shading::Smooth => mesh.value_at(mesh.element(id), x, vertex_radiosity),
+        };
+        let usual = Sampling { seed, ..Sampling::default() };
+        let points = usual.points.max(POINTS_ON_AN_ELEMENT * mesh.elements.len());
+        let found = audit(scene, mesh, &field, Sampling { points, ..usual });
+        let shown: Vec<Rgb> = found.error.iter().map(|e| Rgb::splat(e * PI)).collect();
+        shot.flat(mesh, &shown)
+    }
+
     fn encoded(
         &self,
         format: Format,
@@ -226,6 +268,7 @@ impl Render {
         Ok(match self.view {
             What::Color => picture.encode(format, exposure)?,
             What::FalseColor => png(&FalseColour::of(picture).draw(picture))?,
+            What::Error => png(&FalseColour::ERRORS.draw(picture))?,
             What::Mesh => {
                 png(&shot.with_mesh(picture.display(exposure), &solution.mesh))?
             }

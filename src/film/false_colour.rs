@@ -34,6 +34,9 @@ pub fn luminance(radiance: Rgb) -> f64 {
 }
 
 impl FalseColour {
+    /// For relative errors: from 0.1 % to 10 %, so that pictures can be compared.
+    pub const ERRORS: FalseColour = FalseColour { low: 1e-3, high: 1e-1 };
+
     /// Two decades that end where `picture` turns white at its automatic exposure.
     pub fn of(picture: &Picture) -> FalseColour {
         let high = 1.0 / picture.auto_exposure();

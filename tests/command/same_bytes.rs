@@ -33,6 +33,7 @@ fn pictures() {
         "x.png",
     );
     same("render l-room --size 64x48 --tolerance 10 --view false-color", "x.png");
+    same("render l-room --size 64x48 --tolerance 10 --view error", "x.png");
 }
 
 #[test]

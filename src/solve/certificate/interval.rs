@@ -81,7 +81,8 @@ pub(super) fn mean(strata: &Strata, points: &[Point], squares: &[Rgb]) -> Rgb {
 }
 
 /// Per element: the root of the mean of its `squares` over `scale`, worst channel; of its
-/// stratum where it has no point of its own.
+/// stratum where it has no point of its own. A mean below zero is noise and counts as the
+/// same above.
 pub(super) fn by_element(
     mesh: &Mesh,
     strata: &Strata,
@@ -110,7 +111,7 @@ pub(super) fn by_element(
             let h = stratum[k].map_or(usize::MAX, |h| h as usize);
             (sum, count) = *of_stratum.get(h).unwrap_or(&(Rgb::ZERO, 1.0));
         }
-        let mean = (sum / count).max(Rgb::ZERO);
+        let mean = (sum / count).abs();
         (0..3).map(|c| super::ratio(mean[c], scale[c]).sqrt()).fold(0.0, f64::max)
     };
     (0..mesh.elements.len()).map(value).collect()

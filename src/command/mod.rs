@@ -7,6 +7,7 @@
 //! | 2         | not understood                                                        |
 //! | 130       | interrupted; no file is half written                                  |
 
+mod chart;
 mod face_matrix;
 mod form_factors;
 mod output;
@@ -53,6 +54,7 @@ enum Verb {
     Solve(solve::Solve),
     FormFactors(form_factors::FormFactors),
     Render(Box<render::Render>),
+    Chart(chart::Chart),
 }
 
 /// What every verb understands.
@@ -104,6 +106,7 @@ fn perform(arguments: &Arguments, terminal: &Terminal) -> Result<(), Refusal> {
         Some(Verb::Solve(solve)) => solve.run(seed, terminal),
         Some(Verb::FormFactors(matrix)) => matrix.run(seed, terminal),
         Some(Verb::Render(render)) => render.run(seed, terminal),
+        Some(Verb::Chart(chart)) => chart.run(terminal),
         None => render::Render::cornell()?.run(seed, terminal),
     }
 }

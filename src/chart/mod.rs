@@ -1,0 +1,24 @@
+//! Speed against accuracy: methods run side by side, and what came out as a table and a
+//! picture.
+//!
+//! ```text
+//! transfers = Σ over steps of the factors used          work, the same on any machine
+//! seconds of one processor                              time, of this machine
+//! ‖B − B*‖/‖B* − E‖ ≤ residual/(1 − ρ)                  accuracy, the same for all
+//! ```
+//!
+//! | part       | use it when                             | it fails when                   |
+//! |------------|-----------------------------------------|---------------------------------|
+//! | [`Race`]   | solvers are to be compared              | the machine does something else |
+//! | [`Chart`]  | numbers span decades, both ways         | a value is 0: it has no decade  |
+//!
+//! **Not here:** where numbers are written to, and the clock: the command brings both. The
+//! errors of form factors: `benches/form_factors.rs`.
+//! Chapter *Solving it*, for the comparisons of (L13) and (L14).
+//! Sources: Gortler, Cohen & Slusallek 1994, who compared relaxations by their work.
+
+pub mod race;
+mod svg;
+
+pub use race::Race;
+pub use svg::{Chart, Line, Mark};

@@ -1,0 +1,237 @@
+//! The drawing of a chart: logarithmic both ways, as an SVG that takes the page's colours.
+
+use std::fmt::Write;
+
+/// A mark of a line: where it lies, and what is written at the first and the last of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// Across; above 0.
+    pub x: f64,
+    /// Upward; what is below [`Chart::least`] stands on the lower edge.
+    pub y: f64,
+    /// The setting that led there: a resolution, a tolerance. May be empty.
+    pub label: String,
+}
+
+/// Marks that belong together and are joined.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Stands at the end of the line.
+    pub name: String,
+    /// In order along the line.
+    pub marks: Vec<Mark>,
+}
+
+/// A chart with two logarithmic axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// What it shows, in a sentence.
+    pub title: String,
+    /// What is measured across.
+    pub across: String,
+    /// What is measured upward.
+    pub upward: String,
+    /// Smaller `y` cannot be told apart: an error of nothing has no logarithm.
+    pub least: f64,
+    /// In the order of their colours.
+    pub lines: Vec<Line>,
+}
+
+/// Width and height of the plot, and its left and top margin, in pixels.
+const PLOT: [f64; 4] = [480.0, 320.0, 70.0, 20.0];
+
+/// Mid-tones that stand out on white and on navy, and apart for the colour-blind.
+const COLOURS: [&str; 6] =
+    ["#d55e00", "#3b8fd0", "#00a078", "#b765a0", "#a08a00", "#808080"];
+
+/// Keeps the grid out of a label: an outline in the page's background.
+const HALO: &str =
+    " stroke=\"var(--bg, white)\" stroke-width=\"4\" paint-order=\"stroke\"";
+
+/// A logarithmic axis of whole decades.
+struct Axis {
+    low: i32,
+    high: i32,
+}
+
+impl Axis {
+    /// Room for all these values; those that have no logarithm need none.
+    fn of(values: impl Iterator<Item = f64>) -> Axis {
+        let decades = values.map(f64::log10).filter(|e| e.is_finite());
+        let [low, high] = decades
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], e| [l.min(e), h.max(e)]);
+        if low > high {
+            return Axis { low: 0, high: 1 };
+        }
+        let low = low.floor() as i32;
+        Axis { low, high: (high.ceil() as i32).max(low + 1) }
+    }
+
+    /// Where `v` lies, from 0 to 1.
+    fn place(&self, v: f64) -> f64 {
+        (v.log10() - f64::from(self.low)) / f64::from(self.high - self.low)
+    }
+
+    /// Values of the grid's lines, and whether a whole decade stands there; of many
+    /// decades nothing else.
+    fn grid(&self) -> impl Iterator<Item = (f64, bool)> + '_ {
+        let lines = if self.high - self.low > 8 { 2 } else { 10 };
+        let decade =
+            move |e| (1..lines).map(move |k| (f64::from(k) * 10f64.powi(e), k == 1));
+        let end = (10f64.powi(self.high), true);
+        (self.low..self.high).flat_map(decade).chain([end])
+    }
+
+    /// Whole decades.
+    fn decades(&self) -> impl Iterator<Item = f64> + '_ {
+        self.grid().filter(|(_, whole)| *whole).map(|(v, _)| v)
+    }
+}
+
+/// A whole decade, in the shorter of two ways.
+fn number(v: f64) -> String {
+    if (5e-5..5e5).contains(&v) { format!("{v}") } else { format!("{v:.0e}") }
+}
+
+/// A chart that is being drawn.
+struct Sheet {
+    svg: String,
+    across: Axis,
+    upward: Axis,
+    /// Start, height and width of the labels so far.
+    labels: Vec<[f64; 3]>,
+}
+
+impl Sheet {
+    fn x(&self, v: f64) -> f64 {
+        PLOT[2] + PLOT[0] * self.across.place(v)
+    }
+
+    fn y(&self, v: f64) -> f64 {
+        PLOT[3] + PLOT[1] * (1.0 - self.upward.place(v))
+    }
+
+    // Writing to a string cannot fail.
+    fn text(&mut self, x: f64, y: f64, anchor: &str, style: &str, text: &str) {
+        let _ = writeln!(
+            self.svg,
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\"{style}>{text}</text>"
+        );
+    }
+
+    fn rule(&mut self, from: [f64; 2], to: [f64; 2], whole: bool) {
+        let opacity = if whole { 0.5 } else { 0.15 };
+        let ([x1, y1], [x2, y2]) = (from, to);
+        let _ = writeln!(
+            self.svg,
+            "<path d=\"M{x1:.1} {y1:.1}L{x2:.1} {y2:.1}\" stroke=\"currentColor\" \
+             stroke-opacity=\"{opacity}\"/>"
+        );
+    }
+
+    fn axes(&mut self, across: &str, upward: &str) {
+        let [width, height, left, top] = PLOT;
+        let (right, bottom) = (left + width, top + height);
+        for (v, whole) in self.across.grid().collect::<Vec<_>>() {
+            self.rule([self.x(v), top], [self.x(v), bottom], whole);
+        }
+        for (v, whole) in self.upward.grid().collect::<Vec<_>>() {
+            self.rule([left, self.y(v)], [right, self.y(v)], whole);
+        }
+        for v in self.across.decades().collect::<Vec<_>>() {
+            self.text(self.x(v), bottom + 18.0, "middle", "", &number(v));
+        }
+        for v in self.upward.decades().collect::<Vec<_>>() {
+            self.text(left - 6.0, self.y(v) + 4.0, "end", "", &number(v));
+        }
+        self.text(left + width / 2.0, bottom + 40.0, "middle", "", across);
+        let turned = format!(" transform=\"rotate(-90 14 {:.1})\"", top + height / 2.0);
+        self.text(14.0, top + height / 2.0, "middle", &turned, upward);
+    }
+
+    fn line(&mut self, at: &[[f64; 2]], colour: &str) {
+        let path: Vec<String> =
+            at.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+        let _ = writeln!(
+            self.svg,
+            "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" \
+             stroke-width=\"2\"/>",
+            path.join(" ")
+        );
+        for [x, y] in at {
+            let _ = writeln!(
+                self.svg,
+                "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{colour}\"/>"
+            );
+        }
+    }
+
+    /// A label beside a mark, before or after it; moved up to where there is room.
+    fn label(&mut self, [x, mut y]: [f64; 2], after: bool, text: &str) {
+        let width = 7.0 * text.chars().count() as f64;
+        let start = if after { x + 8.0 } else { x - 8.0 - width };
+        let hits = |&[at, height, wide]: &[f64; 3], y: f64| {
+            (height - y).abs() < 12.0 && start < at + wide && at < start + width
+        };
+        while self.labels.iter().any(|label| hits(label, y)) {
+            y -= 4.0;
+        }
+        self.labels.push([start, y, width]);
+        let (x, anchor) = if after { (start, "start") } else { (x - 8.0, "end") };
+        self.text(x, y + 4.0, anchor, HALO, text);
+    }
+}
+
+impl Chart {
+    /// The chart as a picture that a page can hold; its `<desc>` tells the ends of each
+    /// line to those who cannot see it. Marks without a logarithm are left out.
+    pub fn svg(&self) -> String {
+        let marks = || self.lines.iter().flat_map(|line| &line.marks);
+        let mut sheet = Sheet {
+            svg: format!(
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 700 400\" \
+                 width=\"700\" height=\"400\" role=\"img\" fill=\"currentColor\" \
+                 font-size=\"13\">\n<title>{}</title>\n<desc>{}</desc>\n",
+                self.title,
+                self.description()
+            ),
+            across: Axis::of(marks().map(|mark| mark.x)),
+            upward: Axis::of(marks().map(|mark| mark.y.max(self.least))),
+            labels: vec![],
+        };
+        sheet.axes(&self.across, &self.upward);
+        let mut labels = vec![]; // last, so that no line runs over them
+        for (line, colour) in self.lines.iter().zip(COLOURS.iter().cycle()) {
+            let place = |m: &Mark| [sheet.x(m.x), sheet.y(m.y.max(self.least))];
+            let mut drawn: Vec<_> = line.marks.iter().map(|m| (place(m), m)).collect();
+            drawn.retain(|(at, _)| at.iter().all(|x| x.is_finite()));
+            let at: Vec<[f64; 2]> = drawn.iter().map(|(at, _)| *at).collect();
+            sheet.line(&at, colour);
+            if let [(at, first), _, ..] = drawn[..] {
+                labels.push((at, false, first.label.clone()));
+            }
+            if let Some((at, last)) = drawn.last() {
+                let both = [line.name.as_str(), last.label.as_str()];
+                let said = both.into_iter().filter(|s| !s.is_empty());
+                labels.push((*at, true, said.collect::<Vec<_>>().join(", ")));
+            }
+        }
+        // From the lowest up, as they make room upward: their order is that of the lines.
+        labels.sort_by(|a, b| b.0[1].total_cmp(&a.0[1]));
+        for (at, after, text) in labels.iter().filter(|label| !label.2.is_empty()) {
+            sheet.label(*at, *after, text);
+        }
+        sheet.svg + "</svg>\n"
+    }
+
+    fn description(&self) -> String {
+        let ends = |line: &Line| {
+            let [first, last] = [line.marks.first()?, line.marks.last()?];
+            let says = |m: &Mark| format!("{:.2e} at {:.2e}", m.y.max(self.least), m.x);
+            let (from, to) = (says(first), says(last));
+            Some(format!("{}: from {from} to {to}. ", line.name))
+        };
+        let ends: String = self.lines.iter().filter_map(ends).collect();
+        format!("{} over {}. {}", self.upward, self.across, ends.trim_end())
+    }
+}

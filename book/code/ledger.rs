@@ -5,7 +5,12 @@ use radiosity::solve::{Ledger, Solution};
 
 /// Where the light went: a line for each entry, channel by channel, in W and as a share.
 pub fn table(solution: &Solution) -> String {
-    let Ledger { emitted, absorbed, escaped, unshot, imbalance } = solution.ledger;
+    of(&solution.ledger)
+}
+
+/// The same of a ledger by itself.
+pub fn of(ledger: &Ledger) -> String {
+    let Ledger { emitted, absorbed, escaped, unshot, imbalance } = *ledger;
     let mut text = String::from(
         "| power, W | red | green | blue | share |\n|---|---|---|---|---|\n",
     );

@@ -14,6 +14,7 @@
 //! | [`equation`]    | figures and numbers of *The radiosity equation*              |
 //! | [`factors`]     | figures and numbers of the chapter on form factors           |
 //! | [`surface`]     | figures and numbers of the chapters L04 and L05              |
+//! | [`shooting`]    | figures and numbers of the chapters on shooting, L13 and L14 |
 //! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //!
@@ -32,6 +33,7 @@ pub mod ledger;
 pub mod lecture_map;
 pub mod light;
 pub mod map;
+pub mod shooting;
 pub mod source;
 pub mod surface;
 pub mod timing;
@@ -54,6 +56,8 @@ mod pages {
         radiosity_equation: "radiosity-equation.md",
         form_factors: "form-factors.md",
         hemicube: "hemicube.md",
+        progressive_refinement: "progressive-refinement.md",
+        only_what_shines: "only-what-shines.md",
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",
         labs_gather: "labs/gather.md",

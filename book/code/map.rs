@@ -50,15 +50,23 @@ pub fn per_cent(value: f64) -> String {
     format!("{} %", (value * 1e4).round() / 1e2)
 }
 
+/// A scene of grey faces, each with its emitted radiosity, W/m², and its reflectance.
+pub fn grey(faces: impl IntoIterator<Item = (Polygon, f64, f64)>) -> Scene {
+    let (mut materials, mut outlines) = (Vec::new(), Vec::new());
+    for (k, (polygon, emission, diffuse)) in faces.into_iter().enumerate() {
+        let (emission, diffuse) = (Rgb::splat(emission), Rgb::splat(diffuse));
+        let coefficients =
+            Coefficients { emission, diffuse, ..Coefficients::default() };
+        let material = Material::new(format!("m{k}"), coefficients);
+        materials.push(material.expect("a reflectance below 1"));
+        let material = MaterialId(k as u32);
+        outlines.push(Face { outline: polygon.vertices().to_vec(), material });
+    }
+    let scene = Scene::assemble("grey", materials, outlines, None);
+    scene.expect("polygons are fit faces").0
+}
+
 /// A scene of black faces, for form factors alone.
 pub fn black<'a>(faces: impl IntoIterator<Item = &'a Polygon>) -> Scene {
-    let black = Material::new("black", Coefficients::default());
-    let black = black.expect("a black material is passive");
-    let face = |polygon: &Polygon| Face {
-        outline: polygon.vertices().to_vec(),
-        material: MaterialId(0),
-    };
-    let faces = faces.into_iter().map(face).collect();
-    let scene = Scene::assemble("black", vec![black], faces, None);
-    scene.expect("polygons are fit faces").0
+    grey(faces.into_iter().map(|polygon| (polygon.clone(), 0.0, 0.0)))
 }

@@ -164,16 +164,33 @@ pub const ROWS: [Row; 23] = [
         "Substructuring: patches and elements",
         true,
     ),
-    planned(
-        "progressive solution: shoot from the brightest element",
-        "Progressive refinement",
-        true,
-    ),
-    planned(
-        "optimisation: iterate over emitting elements only",
-        "Only what still shines",
-        false,
-    ),
+    Row {
+        topic: "progressive solution: shoot from the brightest element",
+        title: "Progressive refinement",
+        lab: true,
+        state: State::Done(Written {
+            page: "progressive-refinement.md",
+            module: "src/solve/shoot.rs",
+            figure: "pictures/progressive-after-10.snap.png",
+            test: (
+                "tests/tables_radiosity.rs",
+                "shooting_goes_step_by_step_as_published",
+            ),
+            lab: None,
+        }),
+    },
+    Row {
+        topic: "optimisation: iterate over emitting elements only",
+        title: "Only what still shines",
+        lab: false,
+        state: State::Done(Written {
+            page: "only-what-shines.md",
+            module: "src/solve/overshoot.rs",
+            figure: "pictures/shines-map.snap.png",
+            test: ("book/tests/shooting.rs", "few_emit_at_first"),
+            lab: None,
+        }),
+    },
     planned(
         "kinds of light transport: diffuse and specular, in every order",
         "Kinds of light transport",

@@ -162,6 +162,12 @@ impl Mesh {
         &self.patches[element.patch.0 as usize]
     }
 
+    /// The area of a patch: the sum of its elements', scene units squared.
+    pub fn patch_area(&self, patch: &Patch) -> f64 {
+        let ids = patch.elements.start as usize..patch.elements.end as usize;
+        self.elements[ids].iter().map(|e| e.polygon.area()).sum()
+    }
+
     /// Which of [`Scene::surfaces`] the element is part of.
     pub fn surface_of(&self, element: &Element) -> u32 {
         self.patch_of(element).surface

@@ -13,14 +13,16 @@
 //! | [`ConjugateGradients`] | ρ → 1: steps ~ 1/√(1 − ρ)          | factors are not reciprocal |
 //! | [`Shoot`]              | an early picture, row by row       | every last bit is wanted   |
 //! | [`Overshoot`]          | the same, and light lasts long     | none comes back: no gain   |
+//! | [`Substructure`]       | few patches light many elements    | patches are seen close by  |
 //!
-//! All are a [`Solver`], an iterator: each step yields the [`Ledger`] and the residual, from
-//! which [`error_bound`] tells when to stop. Not converging is a value, never an error. A
-//! [`Certificate`] then says how far the field is from the truth.
+//! All but the last are a [`Solver`], an iterator: each step yields the [`Ledger`] and the
+//! residual, from which [`error_bound`] tells when to stop. Not converging is a value, never
+//! an error. A [`Certificate`] then says how far the field is from the truth. The last makes
+//! a system that is smaller, for any of them to solve.
 //!
 //! **Not here:** the factors ([`crate::form_factor`]); what a camera sees.
-//! Chapters *The radiosity equation* (L06), *Solving it*, *Progressive refinement* (L13,
-//! L14).
+//! Chapters *The radiosity equation* (L06), *Solving it*, *Patches and elements* (L11, L12),
+//! *Progressive refinement* (L13, L14).
 //! Sources: Goral et al. 1984; Cohen & Greenberg 1985; Cohen, Chen, Wallace &
 //! Greenberg 1988; Hestenes & Stiefel 1952.
 
@@ -35,6 +37,7 @@ mod overshoot;
 mod shoot;
 mod solution;
 mod solver;
+mod substructure;
 
 pub use certificate::{Audit, Certificate, Sampling, audit, certify};
 pub use conjugate::ConjugateGradients;
@@ -46,6 +49,7 @@ pub use overshoot::Overshoot;
 pub use shoot::{Brightest, Shoot};
 pub use solution::{Factors, Method, Options, Progress, Solution, solve, solve_on};
 pub use solver::{Outcome, Solver, Step, contraction, error_bound};
+pub use substructure::{OnElements, Oracle, Sees, Substructure};
 
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;

@@ -93,7 +93,7 @@ pub const ROWS: [Row; 23] = [
             module: "src/material/brdf.rs",
             figure: "pictures/brdf-ball-1.snap.png",
             test: ("tests/laws_brdf.rs", "samples_follow_their_density"),
-            lab: None,
+            lab: Some("labs/brdf.md"),
         }),
     },
     Row {
@@ -105,7 +105,7 @@ pub const ROWS: [Row; 23] = [
             module: "src/material/mod.rs",
             figure: "pictures/albedo-bare-0.snap.png",
             test: ("tests/tables_brdf.rs", "phong_albedos"),
-            lab: None,
+            lab: Some("labs/brdf.md"),
         }),
     },
     Row {

@@ -60,6 +60,7 @@ mod pages {
         only_what_shines: "only-what-shines.md",
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",
+        labs_brdf: "labs/brdf.md",
         labs_gather: "labs/gather.md",
         labs_lambert: "labs/lambert.md",
         labs_sampling: "labs/sampling.md",

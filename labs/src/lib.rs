@@ -34,6 +34,7 @@ pub mod show;
 pub mod proof;
 pub mod solid_angle;
 pub mod radiometry;
+pub mod brdf;
 pub mod gather;
 pub mod lambert;
 pub mod sampling;
@@ -46,6 +47,7 @@ pub use lab::{Lab, Who};
 pub const LABS: &[&Lab] = &[
     &solid_angle::LAB,
     &radiometry::LAB,
+    &brdf::LAB,
     &gather::LAB,
     &lambert::LAB,
     &sampling::LAB,

@@ -11,6 +11,7 @@
 //! | [`area`]      | one pair is due, past many blockers   | blockers reach into a shared edge|
 //! | [`hemicube`]  | all factors of a row are due, quickly | a patch has few cells: aliasing  |
 //! | [`pictures`]  | its cousins are to be compared        | as the hemicube                  |
+//! | [`linear`]    | light changes across large patches    | as the hemicube                  |
 //! | [`hybrid`]    | the hemicube's large errors must go   | most pairs are near              |
 //! | [`cast`]      | nothing may be assumed                | never; but error falls as 1/√rays|
 //! | [`shortcuts`] | textbook rules are to be judged       | near by; and they see no blocker |
@@ -30,6 +31,7 @@ mod close;
 mod contour;
 pub mod hemicube;
 pub mod hybrid;
+pub mod linear;
 mod matrix;
 pub mod named;
 mod painter;

@@ -47,12 +47,12 @@ struct Edge {
 
 impl Builder {
     /// The T-vertices of the mesh; those on longer edges first, since theirs may end in
-    /// T-vertices of longer ones still.
+    /// T-vertices of longer ones still. Where two rows of elements are divided at
+    /// different places, the ends of the longer edges keep values of their own.
     pub(super) fn anchors(&self) -> Vec<Anchor> {
         let mesh = self.mesh();
         let place = |id: VertexId| mesh.vertices[id.0 as usize];
         let mut found: Vec<(f64, Anchor)> = Vec::new();
-        let mut done = HashSet::new();
         for edges in self.free_edges().values() {
             let mut along: Vec<VertexId> = edges.iter().flat_map(|e| e.ends).collect();
             let [start, end] = edges[0].ends.map(place);
@@ -72,7 +72,7 @@ impl Builder {
                     let middle = element.polygon.centroid();
                     // On the other side of a wall it is another vertex.
                     let same = self.known(surface, place(vertex), middle);
-                    if same == Some(vertex) && done.insert(vertex) {
+                    if same == Some(vertex) {
                         let at = (height(vertex) - from) / (to - from);
                         found
                             .push((high - low, Anchor { vertex, ends: edge.ends, at }));
@@ -84,7 +84,16 @@ impl Builder {
             b.0.total_cmp(&a.0).then(a.1.vertex.cmp(&b.1.vertex))
         };
         found.sort_by(order);
-        found.into_iter().map(|(_, anchor)| anchor).collect()
+        let (mut held, mut holding) = (HashSet::new(), HashSet::new());
+        let mut anchors = Vec::new();
+        for (_, anchor) in found {
+            // What holds others up must know its value before them.
+            if !holding.contains(&anchor.vertex) && held.insert(anchor.vertex) {
+                holding.extend(anchor.ends);
+                anchors.push(anchor);
+            }
+        }
+        anchors
     }
 
     /// Edges that only one element has, by the line in which they lie.

@@ -29,9 +29,11 @@ mod build;
 mod contact;
 mod grid;
 mod interpolate;
+mod place;
 mod split;
 
 pub use interpolate::wachspress;
+pub use place::Place;
 
 use crate::geometry::{Polygon, Rgb};
 use crate::scene::{FaceId, MaterialId, Scene, Surface};

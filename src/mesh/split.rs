@@ -26,6 +26,16 @@ impl Mesh {
         }
     }
 
+    /// The same elements and vertices, each element a patch of its own.
+    pub fn with_elements_as_patches(&self) -> Mesh {
+        let mut builder = Builder::over(self);
+        for element in &self.elements {
+            let patch = self.patch_of(element).clone();
+            builder.add_patch(patch, [element.polygon.clone()]);
+        }
+        builder.finish()
+    }
+
     fn divided(&self, marked: &[bool]) -> Builder {
         let mut builder = Builder::over(self);
         for patch in &self.patches {

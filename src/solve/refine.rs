@@ -1,0 +1,153 @@
+//! Splitting elements until light is linear enough between their corners.
+//!
+//! ```text
+//! ∫ (H − H̃)² dA ≈ A (4/9 δ_centre² + 1/9 Σ_edges δ_edge²)       Simpson; δ = 0 at corners
+//! error² = Σ_elements ρ² ∫ (H − H̃)² dA / ‖B − E‖²               what is to be small
+//! ```
+//! An element is asked at its centre and in the middle of its edges, where its parts would
+//! have their corners: there the interpolation `H̃` is held against the light itself. The
+//! elements with the largest errors are split, those that make up half of the square of
+//! the error at a time, until the rest is small enough. Near lamps and at shadow boundaries
+//! this is often, elsewhere never.
+//!
+//! **Fails** when something shows at none of these points: a bright spot in the middle of
+//! a quarter.
+
+use crate::geometry::Rgb;
+use crate::mesh::{Element, Mesh};
+use glam::DVec3;
+use rayon::prelude::*;
+use std::collections::HashMap;
+
+/// Light at a point of an element, W/m².
+pub(super) type Light<'a> = &'a (dyn Fn(&Element, DVec3) -> Rgb + Sync);
+
+/// Where an element is asked for its error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Ask {
+    /// At the centre only, the edges being taken for half as wrong: where light is dear.
+    Centre,
+    /// At the centre and in the middle of each edge.
+    All,
+}
+
+/// How light is made linear between corners.
+pub(super) struct Refinement<'a> {
+    pub light: Light<'a>,
+    /// `ρ` of an element.
+    pub reflectance: &'a (dyn Fn(&Element) -> Rgb + Sync),
+    pub ask: Ask,
+    /// Corners at the rim of a surface are asked this share of an element inside it.
+    pub inside: f64,
+    /// `‖B − E‖²`, per channel; a channel with 0 does not count.
+    pub scale: Rgb,
+    /// The error asked for, relative.
+    pub target: f64,
+    /// The most elements.
+    pub most: usize,
+}
+
+/// No element is split whose area is a smaller share of the scene's.
+const SMALLEST: f64 = 1e-9;
+
+impl Refinement<'_> {
+    /// The mesh split until it suffices, and the light at its vertices.
+    pub fn run(&self, mesh: Mesh) -> (Mesh, Vec<Rgb>) {
+        self.run_from(mesh, Vec::new(), Vec::new())
+    }
+
+    /// The same, when the `light` at the places that were `asked`, one for each vertex, is
+    /// known.
+    pub fn run_from(
+        &self,
+        mut mesh: Mesh,
+        mut asked: Vec<DVec3>,
+        mut light: Vec<Rgb>,
+    ) -> (Mesh, Vec<Rgb>) {
+        let total: f64 = mesh.polygons().map(|p| p.area()).sum();
+        self.ask_vertices(&mesh, &mut asked, &mut light);
+        let mut known: HashMap<[u32; 3], f64> = HashMap::new();
+        loop {
+            let name = |e: &Element| [0, 1, 2].map(|k| e.corners[k].0);
+            let new: Vec<usize> = (0..mesh.elements.len())
+                .filter(|&k| !known.contains_key(&name(&mesh.elements[k])))
+                .collect();
+            let found: Vec<f64> = new
+                .par_iter()
+                .map(|&k| self.error(&mesh, &mesh.elements[k], &light))
+                .collect();
+            known.extend(new.iter().map(|&k| name(&mesh.elements[k])).zip(found));
+            let mut errors: Vec<(f64, usize)> =
+                (0..).zip(&mesh.elements).map(|(k, e)| (known[&name(e)], k)).collect();
+            let sum: f64 = errors.iter().map(|e| e.0).sum();
+            if sum <= self.target * self.target || mesh.elements.len() >= self.most {
+                return (mesh, light);
+            }
+            errors.retain(|&(_, k)| mesh.elements[k].polygon.area() > SMALLEST * total);
+            errors.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            let mut marks = vec![false; mesh.elements.len()];
+            let mut marked = 0.0;
+            for (error, k) in errors {
+                if marked > 0.6 * sum {
+                    break;
+                }
+                marked += error;
+                marks[k] = error > 0.0;
+            }
+            if !marks.contains(&true) {
+                return (mesh, light);
+            }
+            mesh = mesh.split(&marks);
+            self.ask_vertices(&mesh, &mut asked, &mut light);
+        }
+    }
+
+    /// Asks for the light at the vertices, but where it is known already.
+    fn ask_vertices(&self, mesh: &Mesh, asked: &mut Vec<DVec3>, light: &mut Vec<Rgb>) {
+        let places = mesh.places(self.inside);
+        let old = asked.len();
+        let found: Vec<Option<Rgb>> = places
+            .par_iter()
+            .enumerate()
+            .map(|(k, place)| {
+                let same = |p: &DVec3| k < old && asked[k] == *p;
+                let place = place.as_ref().filter(|place| !same(&place.at))?;
+                Some((self.light)(&mesh.elements[place.element as usize], place.at))
+            })
+            .collect();
+        asked.resize(places.len(), DVec3::NAN);
+        light.resize(places.len(), Rgb::ZERO);
+        for (k, (place, found)) in places.iter().zip(found).enumerate() {
+            if let (Some(place), Some(found)) = (place, found) {
+                (asked[k], light[k]) = (place.at, found);
+            }
+        }
+        mesh.anchor(light);
+    }
+
+    /// The square of the error of one element, relative to the scale; worst channel.
+    fn error(&self, mesh: &Mesh, element: &Element, light: &[Rgb]) -> f64 {
+        let rho = (self.reflectance)(element);
+        if rho == Rgb::ZERO {
+            return 0.0;
+        }
+        let polygon = &element.polygon;
+        let (centre, v) = (polygon.centroid(), polygon.vertices());
+        let off = |at: DVec3| {
+            let there = (self.light)(element, at.lerp(centre, self.inside));
+            let off = rho * (there - mesh.value_at(element, at, light));
+            off * off
+        };
+        let centre = off(centre);
+        let squares = match self.ask {
+            Ask::Centre => 5.0 / 9.0 * centre,
+            Ask::All => {
+                let middle = |k: usize| off(v[k].midpoint(v[(k + 1) % v.len()]));
+                let edges = (0..v.len()).map(middle).sum::<Rgb>() / v.len() as f64;
+                4.0 / 9.0 * (centre + edges)
+            }
+        };
+        let share = polygon.area() * squares / self.scale;
+        share.to_array().into_iter().filter(|s| s.is_finite()).fold(0.0, f64::max)
+    }
+}

@@ -132,11 +132,18 @@ pub const ROWS: [Row; 23] = [
             lab: Some("labs/lambert.md"),
         }),
     },
-    planned(
-        "the pipeline: elements, factors, system, picture; independent of the view",
-        "The pipeline",
-        false,
-    ),
+    Row {
+        topic: "the pipeline: elements, factors, system, picture; independent of the view",
+        title: "The pipeline",
+        lab: false,
+        state: State::Done(Written {
+            page: "pipeline.md",
+            module: "src/solve/solution.rs",
+            figure: "pictures/pipeline-flat.snap.png",
+            test: ("book/tests/equation.rs", "the_stages_hand_on_pictures"),
+            lab: None,
+        }),
+    },
     planned(
         "the final view by a z-buffer; a walk through the solved scene",
         "The final view",

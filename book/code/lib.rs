@@ -12,6 +12,7 @@
 //! | [`ledger`]      | where the light went, as a table                             |
 //! | [`light`]       | figures and numbers of the chapters L01 to L03               |
 //! | [`equation`]    | figures and numbers of *The radiosity equation*              |
+//! | [`pipeline`]    | figures and numbers of *The pipeline*                        |
 //! | [`factors`]     | figures and numbers of the chapter on form factors           |
 //! | [`surface`]     | figures and numbers of the chapters L04 and L05              |
 //! | [`shooting`]    | figures and numbers of the chapters on shooting, L13 and L14 |
@@ -33,6 +34,7 @@ pub mod ledger;
 pub mod lecture_map;
 pub mod light;
 pub mod map;
+pub mod pipeline;
 pub mod shooting;
 pub mod source;
 pub mod surface;
@@ -55,6 +57,7 @@ mod pages {
         albedo: "albedo.md",
         radiosity_equation: "radiosity-equation.md",
         form_factors: "form-factors.md",
+        pipeline: "pipeline.md",
         hemicube: "hemicube.md",
         progressive_refinement: "progressive-refinement.md",
         only_what_shines: "only-what-shines.md",

@@ -8,6 +8,7 @@ mod picture;
 
 use book::equation::system::{ALL, cornell};
 use book::equation::{bounces, cost, elements, matrix, wrong};
+use book::pipeline::{spoilt, stages};
 use picture::assert_picture;
 
 const PICTURES: &str = "src/pictures";
@@ -31,6 +32,10 @@ fn light_comes_bounce_by_bounce() {
         if k > 0 {
             assert_picture(PICTURES, &format!("equation-alone-{k}"), &alone);
         }
+    }
+    for k in 0..=4 {
+        let picture = bounces::sum_picture(k);
+        assert_picture(PICTURES, &format!("equation-sum-{k}"), &picture);
     }
     assert_picture(PICTURES, "equation-sum-all", &bounces::sum_picture(ALL));
 }
@@ -93,4 +98,33 @@ fn coarse_elements_err_though_their_equation_is_exact() {
     }
     let off = elements::opposite(1) / elements::TRUTH - 1.0;
     assert!((0.061..0.062).contains(&off), "{off}");
+}
+
+/// What each stage hands on, and one solution seen by three eyes.
+#[test]
+fn the_stages_hand_on_pictures() {
+    assert_picture(PICTURES, "pipeline-elements", &stages::elements());
+    assert_picture(PICTURES, "pipeline-factors", &stages::factors());
+    assert_picture(PICTURES, "pipeline-flat", &stages::flat());
+    for eye in 0..stages::eyes().len() {
+        let name = format!("pipeline-smooth-{eye}");
+        assert_picture(PICTURES, &name, &stages::smooth(eye));
+    }
+}
+
+/// A stage that is spoilt shows in the picture, however good the others are.
+#[test]
+fn no_later_stage_repairs_an_earlier_one() {
+    use spoilt::Stage;
+    for (stage, range) in [
+        (Stage::None, 0.0..1e-12),
+        (Stage::Split, 0.05..0.3),
+        (Stage::Factors, 0.05..0.5),
+        (Stage::Solve, 0.1..0.3),
+    ] {
+        let error = spoilt::error(stage);
+        assert!(range.contains(&error), "{stage:?}: {error}");
+        let name = format!("pipeline-spoilt-{}", stage.file());
+        assert_picture(PICTURES, &name, &spoilt::picture(stage));
+    }
 }

@@ -28,10 +28,12 @@ impl Shot {
     /// The elements with one radiance each, `B/π`; backs and the void are black.
     ///
     /// `radiosity` holds `B` of the front of each element, in W/m².
+    // ANCHOR: flat
     pub fn flat(&self, mesh: &Mesh, radiosity: &[Rgb]) -> Picture {
         debug_assert_eq!(radiosity.len(), mesh.elements.len(), "one B per element");
         self.shade(mesh, |element, _, _| radiosity[element] / PI)
     }
+    // ANCHOR_END: flat
 
     /// The elements with radiance interpolated between their corners, in the world
     /// (that is, correctly in perspective); backs and the void are black.

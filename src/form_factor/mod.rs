@@ -59,14 +59,16 @@ pub trait FormFactors: Sync {
     /// How many elements there are.
     fn len(&self) -> usize;
 
-    /// Writes to `row[j]` the factor from element `from` to the front of element `j`, and
-    /// returns what reaches no front. `row` has [`FormFactors::len`] entries.
+    // ANCHOR: row
+    /// Writes to `row[j]` the factor from element `from` to the front of element `j`,
+    /// and returns what reaches no front. `row` has [`FormFactors::len`] entries.
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost;
 
     /// All rows, computed in parallel; `done` is called after each.
     fn matrix(&self, done: &(dyn Fn() + Sync)) -> Matrix {
         Matrix::row_by_row(self, done)
     }
+    // ANCHOR_END: row
 
     /// Is there no element?
     fn is_empty(&self) -> bool {

@@ -28,6 +28,7 @@ pub trait Solver: Iterator<Item = Step> {
     fn irradiance(&self) -> &[Rgb];
 
     /// Steps until [`error_bound`] is below `accuracy`, or `most` steps are done.
+    // ANCHOR: run
     fn run(&mut self, contraction: f64, accuracy: f64, most: usize) -> Outcome {
         let mut outcome = Outcome::default();
         while outcome.steps < most && !outcome.converged {
@@ -38,6 +39,7 @@ pub trait Solver: Iterator<Item = Step> {
         }
         outcome
     }
+    // ANCHOR_END: run
 }
 
 /// How a run of a solver ended.

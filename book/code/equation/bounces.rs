@@ -30,11 +30,11 @@ pub fn alone_caption(bounces: u32) -> String {
     let power = room.power(&room.alone(bounces));
     let share = 100.0 * power / room.power(&room.after(ALL));
     let times = match bounces {
-        0 => "None".into(),
-        1 => "One".into(),
-        k => format!("{k}, shown × {}", exposure(k)),
+        0 => String::new(),
+        1 => "One: ".into(),
+        k => format!("{k}, shown × {}: ", exposure(k)),
     };
-    format!("{times}: {power:.2} W, {share:.0} % of all that leaves")
+    format!("{times}{power:.2} W, {share:.0} % of all that leaves")
 }
 
 /// The caption of the opening picture.

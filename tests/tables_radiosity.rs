@@ -2,12 +2,13 @@
 
 mod common;
 
-use common::rooms::{box_walls, exact_factors, face_means, gathered, scene, solved_by};
+use common::rooms::{box_walls, exact_factors, face_means, gathered, scene};
 use common::{cases, within};
+use radiosity::chart::race::contestants;
 use radiosity::form_factor::{Lost, Matrix, Row};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
-use radiosity::solve::{Brightest, Enclosure, GaussSeidel, Overshoot, Shoot, Solver};
+use radiosity::solve::{Brightest, Enclosure, GaussSeidel, Jacobi, Shoot, Solver};
 use serde_json::Value;
 
 fn numbers(v: &Value) -> Vec<f64> {
@@ -33,18 +34,17 @@ fn system(case: &Value) -> (Enclosure, Matrix) {
 
 /// 28 systems solved in 40 digits: radiosity, and where the light went.
 #[test]
-fn gathering_and_shooting_solve_the_systems() {
+fn all_solvers_solve_the_systems() {
     let cases = cases("C_radiosity");
     assert_eq!(cases.len(), 28);
     for case in &cases {
         let (enclosure, matrix) = system(case);
-        let shooting = Shoot::new(&enclosure, &matrix, Brightest::ByPower);
-        let overshooting = Overshoot::new(&enclosure, &matrix);
-        for (name, radiosity) in [
-            ("gather", gathered(&enclosure, &matrix, 1e-11, 1_000_000)),
-            ("shoot", solved_by(&enclosure, shooting, 1e-11, 3_000_000)),
-            ("overshoot", solved_by(&enclosure, overshooting, 1e-11, 3_000_000)),
-        ] {
+        let rho = enclosure.largest_reflectance().max_element();
+        for contestant in contestants() {
+            let name = contestant.name;
+            let mut solver = (contestant.start)(&enclosure, &matrix);
+            solver.run(rho, 1e-11, 3_000_000);
+            let radiosity = solver.radiosity();
             let expected = numbers(&case["expected"]["B"]);
             // the whole field to 1e-9: a face that is nearly black has its share of it
             let scale = expected.iter().copied().fold(0.0, f64::max);
@@ -74,6 +74,32 @@ fn gathering_and_shooting_solve_the_systems() {
             );
         }
     }
+}
+
+/// Jacobi's steps are bounces of light: after 1, 2, 5, 10 and 20 of them.
+#[test]
+fn jacobi_goes_bounce_by_bounce_as_published() {
+    let mut seen = 0;
+    for case in cases("C_radiosity") {
+        let Some(bounces) = case["expected"]["gathering_B_after_k_bounces"].as_object()
+        else {
+            continue;
+        };
+        let (enclosure, matrix) = system(&case);
+        let mut solver = Jacobi::new(&enclosure, &matrix);
+        let mut last = 0;
+        for (k, expected) in bounces {
+            let k: usize = k.parse().unwrap();
+            solver.nth(k - last - 1);
+            last = k;
+            for (got, expected) in solver.radiosity().iter().zip(numbers(expected)) {
+                seen += 1;
+                let id = &case["id"];
+                assert!(within(got.x, expected, 1e-12, 1e-14), "{id} after {k}: {got}");
+            }
+        }
+    }
+    assert!(seen > 500, "{seen}");
 }
 
 /// Who shoots when, what is left, what the display adds: shot by shot.

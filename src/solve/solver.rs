@@ -27,11 +27,14 @@ pub trait Solver: Iterator<Item = Step> {
     /// `H`, W/m², per element: what arrives at the front.
     fn irradiance(&self) -> &[Rgb];
 
-    /// Steps until [`error_bound`] is below `accuracy`, or `most` steps are done.
+    /// Steps until [`error_bound`] is below `accuracy`, or nothing but rounding is left, or
+    /// `most` steps are done.
     // ANCHOR: run
     fn run(&mut self, contraction: f64, accuracy: f64, most: usize) -> Outcome {
         let mut outcome = Outcome::default();
-        while outcome.steps < most && !outcome.converged {
+        let done =
+            |o: &Outcome| o.converged || o.steps > 0 && o.last.residual < ROUNDING;
+        while outcome.steps < most && !done(&outcome) {
             let Some(last) = self.next() else { break };
             let bound = error_bound(last.residual, contraction);
             let (steps, converged) = (outcome.steps + 1, bound <= accuracy);
@@ -41,6 +44,9 @@ pub trait Solver: Iterator<Item = Step> {
     }
     // ANCHOR_END: run
 }
+
+/// A relative residual that is no more than rounding.
+const ROUNDING: f64 = 1e-15;
 
 /// How a run of a solver ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,25 +87,40 @@ pub fn error_bound(residual: f64, contraction: f64) -> f64 {
 /// bounce leaves of a field of light at most.
 ///
 /// ```text
-/// c = √( max_i ρ_i Σ_j F_ij  ·  max_j Σ_i A_i ρ_i F_ij / A_j )
+/// ‖ρF‖² = largest eigenvalue of (ρF)°ρF  ≤  max_j ((ρF)°ρF x)_j / x_j      for any x > 0
+/// (ρF)°_ji = A_i ρ_i F_ij / A_j                                   the adjoint: light sent back
 /// ```
-/// The first is what an element can reflect when all it sees is bright, the second what
-/// becomes of the light of one element. Either bounds a norm of its own (the largest value;
-/// the power), and the area norm lies between them (Schur's test, 1911). Where factors are
-/// reciprocal and rows sum to one at most, neither is above `ρ_max`; where hemicubes invent
-/// light the second says so. At 1 or more nothing follows, and [`error_bound`] is infinite.
+/// The bound for matrices without negative entries is Collatz's (1942). With `x = 1` it is
+/// at most the largest row sum of `ρF` times that of its adjoint; each further `x`, the
+/// image of the one before, comes nearer to the truth. Where factors are reciprocal and
+/// rows sum to one at most, no row sum of the two exceeds `ρ_max`, and neither does this.
+/// Where hemicubes invent light, or rays miss a sliver, it tells how much that matters. At 1
+/// or more nothing follows, and [`error_bound`] is infinite.
 pub fn contraction(enclosure: &Enclosure, factors: &Matrix) -> f64 {
-    let Enclosure { area, reflectance, .. } = enclosure;
-    let mut gathered = Rgb::ZERO;
-    let mut sent = vec![Rgb::ZERO; area.len()];
-    for (i, row) in factors.rows().iter().enumerate() {
-        let sum: f64 = row.factors().iter().map(|&(_, f)| f.abs()).sum();
-        gathered = gathered.max(reflectance[i] * sum);
-        for &(j, f) in row.factors() {
-            sent[j as usize] += reflectance[i] * (area[i] * f.abs());
-        }
+    let mut x = vec![Rgb::ONE; enclosure.len()];
+    let mut bound = Rgb::INFINITY;
+    for _ in 0..ROUNDS {
+        let y = there_and_back(enclosure, factors, &x);
+        let ratios =
+            y.iter().zip(&x).map(|(&y, &x)| Rgb::select(y.cmpgt(Rgb::ZERO), y / x, y));
+        bound = bound.min(ratios.fold(Rgb::ZERO, Rgb::max));
+        x = y; // what nobody reflects stays 0, and counts for nobody
     }
-    let share = |(&sent, &area): (&Rgb, &f64)| sent / area;
-    let sent = sent.iter().zip(area).map(share).fold(Rgb::ZERO, Rgb::max);
-    (gathered * sent).max_element().sqrt()
+    bound.max_element().sqrt()
+}
+
+/// Products that a bound is worth: each costs as much as two bounces.
+const ROUNDS: usize = 4;
+
+/// `(ρF)°ρF x`.
+fn there_and_back(enclosure: &Enclosure, factors: &Matrix, x: &[Rgb]) -> Vec<Rgb> {
+    let Enclosure { area, reflectance, .. } = enclosure;
+    let mut back = vec![Rgb::ZERO; x.len()];
+    for (i, row) in factors.rows().iter().enumerate() {
+        let row = row.factors();
+        let arrives: Rgb = row.iter().map(|&(j, f)| f.abs() * x[j as usize]).sum();
+        let sent = area[i] * reflectance[i] * reflectance[i] * arrives;
+        row.iter().for_each(|&(j, f)| back[j as usize] += f.abs() * sent);
+    }
+    back.iter().zip(area).map(|(&back, &area)| back / area).collect()
 }

@@ -57,7 +57,7 @@ impl Lobe {
     /// is summed as a series in sin²θ or in cos²θ, whichever is the smaller.
     ///
     /// # Accuracy
-    /// Relative to 1e-14 + n·1e-16.
+    /// Relative to 1e-13.
     pub fn albedo(self, cosine: f64) -> f64 {
         debug_assert!((0.0..=1.0).contains(&cosine), "cosine: {cosine}");
         match self {
@@ -142,7 +142,9 @@ fn power(a: DVec3, b: DVec3, n: f64) -> f64 {
 fn phong_albedo(n: f64, c: f64) -> f64 {
     let c2 = c * c;
     let s2 = (1.0 - c) * (1.0 + c);
-    let lobe = s2.powf(0.5 * n);
+    // sⁿ, without the rounding of s² enlarged n times
+    let lobe =
+        if s2 > 0.5 { (0.5 * n * (-c2).ln_1p()).exp() } else { s2.powf(0.5 * n) };
     if lobe < 1e-17 {
         return c; // the lobe has shrunk to a point, well above the horizon
     }

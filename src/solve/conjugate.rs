@@ -21,9 +21,9 @@ use crate::geometry::Rgb;
 /// error falls by `q = (1 − √(1 − ρ_max²)) / ρ_max` a step or better: at ρ = 0.99 by 0.868,
 /// where a bounce leaves 0.99. Steps grow as `1/√(1 − ρ)`.
 ///
-/// **Fails** where factors are not reciprocal: the residual stalls at about the size of the
-/// asymmetry, and may grow again. It is the true one all the same, so that a bound drawn
-/// from it holds.
+/// **Fails** where factors are not reciprocal: with those of element centres the residual
+/// goes up and down on its way, with few rays it stalls for good - the sooner the nearer ρ
+/// is to 1. It is the true residual all the same, so that a bound drawn from it holds.
 pub struct ConjugateGradients<'a> {
     enclosure: &'a Enclosure,
     factors: &'a Matrix,

@@ -29,6 +29,7 @@ mod bounds;
 pub mod cast;
 mod close;
 mod contour;
+mod glance;
 pub mod hemicube;
 pub mod hybrid;
 pub mod linear;
@@ -44,6 +45,7 @@ pub use blocker::Blocker;
 pub use blockers::Blockers;
 pub use close::{Closing, close, closure};
 pub use contour::exchange_by_contour;
+pub use glance::{Glance, Sight, glance};
 pub use matrix::{Cached, Matrix, Row};
 pub use visible::lambert_visible;
 

@@ -63,9 +63,15 @@ pub(super) fn over(
     n: usize,
     mut f: impl FnMut(DVec3) -> f64,
 ) -> f64 {
+    let mut sum = 0.0;
+    points(polygon, n, |x, area| sum += area * f(x));
+    sum
+}
+
+/// The points of [`over`], each with the area that it stands for.
+pub(super) fn points(polygon: &Polygon, n: usize, mut at: impl FnMut(DVec3, f64)) {
     let v = polygon.vertices();
     let normal = polygon.normal();
-    let mut sum = 0.0;
     let mut first = 1;
     while first < v.len() - 1 {
         // A quadrilateral, or a triangle as one whose last two corners coincide.
@@ -77,13 +83,12 @@ pub(super) fn over(
                 let along = (b - a).lerp(c - d, t);
                 let area = along.cross(high - low).dot(normal);
                 if area > 0.0 {
-                    sum += ws * wt * area * f(low.lerp(high, t));
+                    at(low.lerp(high, t), ws * wt * area);
                 }
             }
         }
         first += 2;
     }
-    sum
 }
 
 #[cfg(test)]

@@ -34,6 +34,7 @@ mod split;
 
 pub use interpolate::wachspress;
 pub use place::Place;
+pub use split::quarters;
 
 use crate::geometry::{Polygon, Rgb};
 use crate::scene::{FaceId, MaterialId, Scene, Surface};
@@ -120,6 +121,19 @@ impl Mesh {
         Mesh::cells(scene, max_edge, |builder, id, surface, cells| {
             cells.into_iter().for_each(|cell| builder.add(id, surface, [cell]));
         })
+    }
+
+    /// A mesh of patches whose elements come from elsewhere: for each patch the surface
+    /// that it is a piece of, and its elements, which do not straddle contact lines.
+    pub fn of_pieces(
+        scene: &Scene,
+        patches: impl IntoIterator<Item = (u32, Vec<Polygon>)>,
+    ) -> Mesh {
+        let mut builder = Builder::new(Arc::new(Planes::of(scene)), scene.diagonal());
+        for (id, elements) in patches {
+            builder.add(id, &scene.surfaces[id as usize], elements);
+        }
+        builder.finish()
     }
 
     fn cells(

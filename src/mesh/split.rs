@@ -68,7 +68,7 @@ impl Builder {
 }
 
 /// The four parts of a triangle or quadrilateral; of other outlines, one for each corner.
-fn quarters(polygon: &Polygon) -> Vec<Polygon> {
+pub fn quarters(polygon: &Polygon) -> Vec<Polygon> {
     let v = polygon.vertices();
     let n = v.len();
     let middle = |k: usize| v[k % n].midpoint(v[(k + 1) % n]);

@@ -31,6 +31,7 @@ mod conjugate;
 mod direct;
 mod gather;
 mod gauss_seidel;
+pub mod hierarchy;
 mod jacobi;
 mod ledger;
 mod overshoot;

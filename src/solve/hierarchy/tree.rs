@@ -182,32 +182,6 @@ impl Forest {
     }
     // ANCHOR_END: pull
 
-    /// What one bounce leaves of a field of light at most: as
-    /// [`contraction`](crate::solve::contraction), of the factors between elements that the
-    /// links stand for.
-    pub(super) fn contraction(&self) -> f64 {
-        let (mut row, mut column) =
-            (vec![0.0; self.nodes.len()], vec![0.0; self.nodes.len()]);
-        for (p, node) in self.nodes.iter().enumerate() {
-            for link in &node.links {
-                let source = &self.nodes[link.source.index()].polygon;
-                let sent = node.polygon.area() * link.factor / source.area();
-                row[p] += link.factor;
-                column[link.source.index()] += node.reflectance.max_element() * sent;
-            }
-        }
-        let (mut gathers, mut sends) = (0.0_f64, 0.0_f64);
-        for (k, node) in self.nodes.iter().enumerate() {
-            gathers = gathers.max(node.reflectance.max_element() * row[k]);
-            sends = sends.max(column[k]);
-            for c in node.children.clone().map(|c| c as usize) {
-                row[c] += row[k];
-                column[c] += column[k];
-            }
-        }
-        (gathers * sends).sqrt()
-    }
-
     /// `B` of a node, W/m²: the mean over its elements.
     pub fn radiosity(&self, id: NodeId) -> Rgb {
         self.light.radiosity[id.index()]

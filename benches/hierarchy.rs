@@ -1,11 +1,10 @@
-//! Hierarchy against full matrix: time, links and memory beside error. `cargo bench --bench
-//! hierarchy` prints the record; with `-- csv` as the book's chart reads it.
+//! Hierarchy against full matrix: time, links and memory beside error, as CSV; what it comes
+//! to follows on standard error. `cargo bench --bench hierarchy > book/data/links-DATE.csv`
 //!
-//! Everything runs on one thread, and times are CPU times. Errors are those of the
-//! radiosity shown, in root mean square over the area and relative to the reflected light,
-//! against a solution with analytic factors on a fine even mesh, gathered once more at
-//! each of 1500 points by Lambert's formula past all blockers. Face means are held against
-//! published values.
+//! Everything that is timed runs on one thread, and times are those of the processor.
+//! Errors are of the radiosity shown, flat or smooth, in root mean square over the area and
+//! relative to the reflected light: against a solution with analytic factors on a fine even
+//! mesh, gathered once more at each of 1500 points by Lambert's formula past all blockers.
 
 use cpu_time::ThreadTime;
 use radiosity::form_factor::analytic::Analytic;
@@ -17,23 +16,83 @@ use radiosity::mesh::Mesh;
 use radiosity::prelude::*;
 use radiosity::random::Stream;
 use radiosity::scene::{Face, MaterialId, Scene, built_in};
-use radiosity::solve::hierarchy::{HierarchyOptions, solve_hierarchy};
+use radiosity::solve::hierarchy::{Hierarchical, HierarchyOptions, solve_hierarchy};
 use radiosity::solve::{Enclosure, GaussSeidel, Solver, contraction};
 use rayon::prelude::*;
 
 fn main() {
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
-    for (name, scene, fine) in [
-        ("cube", lit_cube(), 0.04),
-        ("cornell-regular", built_in("cornell-regular").expect("built in"), 0.25),
-    ] {
+    println!("scene,method,elements,links,seconds,flat,smooth");
+    let cornell = || built_in("cornell-regular").expect("built in");
+    one.install(|| memory(&cornell()));
+    for (name, scene, fine) in
+        [("cube", lit_cube(), 0.04), ("cornell-regular", cornell(), 0.22)]
+    {
         let reference = Reference::of(&scene, fine);
         one.install(|| {
-            links(name, &scene, &reference);
-            if std::env::var("NOFULL").is_err() {
-                full(name, &scene, &reference);
-            }
+            let links = links(name, &scene, &reference);
+            let full = full(name, &scene, &reference);
+            conclude(name, &links, &full);
         });
+    }
+}
+
+/// The most memory used so far, where the system tells, with the hierarchy of 100 000
+/// elements.
+fn memory(scene: &Scene) {
+    let options = HierarchyOptions::aiming_at(0.007, scene);
+    let found = solve_hierarchy(scene, &options, &|_, _, _| {});
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let most =
+        status.lines().find(|line| line.starts_with("VmHWM")).unwrap_or("unknown");
+    eprintln!("{} elements, {} links: {most}", found.mesh.elements.len(), found.links);
+}
+
+/// One run.
+struct Run {
+    method: &'static str,
+    elements: usize,
+    links: usize,
+    seconds: f64,
+    errors: [f64; 2],
+}
+
+impl Run {
+    fn print(&self, scene: &str) {
+        let Run { method, elements, links, seconds, errors: [flat, smooth] } = self;
+        println!(
+            "{scene},{method},{elements},{links},{seconds:.3},{flat:.3e},{smooth:.3e}"
+        );
+    }
+}
+
+/// How fast links grow, and how many times sooner the hierarchy has the error of each
+/// matrix.
+fn conclude(name: &str, links: &[Run], full: &[Run]) {
+    let slope = |a: &Run, b: &Run| {
+        let ratio = |a: usize, b: usize| (b as f64 / a as f64).ln();
+        ratio(a.links, b.links) / ratio(a.elements, b.elements)
+    };
+    let first = links.iter().find(|r| r.elements >= 500).expect("measured");
+    let last = links.last().expect("measured");
+    eprintln!("{name}: links grow as elements to the {:.2}", slope(first, last));
+    for (what, k) in [("flat", 0), ("smooth", 1)] {
+        for run in full.iter().filter(|r| r.elements >= 2000) {
+            let better = links.windows(2).find(|w| w[1].errors[k] <= run.errors[k]);
+            let Some([a, b]) = better else { continue };
+            let t =
+                (run.errors[k] / a.errors[k]).ln() / (b.errors[k] / a.errors[k]).ln();
+            let seconds = a.seconds * (b.seconds / a.seconds).powf(t.max(0.0));
+            eprintln!(
+                "{name}: {} {} elements, {what} error {:.2e} in {:.2} s; links in {seconds:.2} \
+                 s, {:.1} times sooner",
+                run.method,
+                run.elements,
+                run.errors[k],
+                run.seconds,
+                run.seconds / seconds
+            );
+        }
     }
 }
 
@@ -150,56 +209,47 @@ fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     (done, start.elapsed().as_secs_f64())
 }
 
-fn links(name: &str, scene: &Scene, reference: &Reference) {
-    for error in [0.16, 0.08, 0.04, 0.02, 0.01, 0.005] {
+fn links(name: &str, scene: &Scene, reference: &Reference) -> Vec<Run> {
+    let run = |error: f64| {
         let options = HierarchyOptions::aiming_at(error, scene);
         let (found, seconds) =
             timed(|| solve_hierarchy(scene, &options, &|_, _, _| {}));
-        let [flat, smooth] = reference.errors(
-            scene,
-            &found.mesh,
-            &found.radiosity,
-            &found.vertex_radiosity,
-        );
-        println!(
-            "{name} links {error}: {} elements, {} links, {seconds:.3} s, flat {flat:.2e}, \
-             smooth {smooth:.2e}, imbalance {:.1e}, sweeps {}, nodes {}",
-            found.mesh.elements.len(),
-            found.links,
-            found.ledger.worst_imbalance(),
-            found.steps,
-            found.nodes
-        );
-    }
+        let Hierarchical { mesh, radiosity, vertex_radiosity, links, .. } = &found;
+        let errors = reference.errors(scene, mesh, radiosity, vertex_radiosity);
+        let (method, elements) = ("links", mesh.elements.len());
+        let run = Run { method, elements, links: *links, seconds, errors };
+        run.print(name);
+        run
+    };
+    [0.16, 0.11, 0.08, 0.057, 0.04, 0.028, 0.02, 0.014, 0.01, 0.007].map(run).into()
 }
 
-fn full(name: &str, scene: &Scene, reference: &Reference) {
+fn full(name: &str, scene: &Scene, reference: &Reference) -> Vec<Run> {
     let area: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
-    for elements in [250.0, 500.0, 1000.0, 2000.0, 4000.0] {
-        for method in ["analytic", "hemicube"] {
+    let mut runs = Vec::new();
+    for method in ["analytic matrix", "hemicube matrix"] {
+        for elements in [250.0, 500.0, 1000.0, 2000.0, 4000.0_f64] {
             let run = || {
-                let mesh = Mesh::uniform(scene, (area / elements as f64).sqrt());
+                let mesh = Mesh::uniform(scene, (area / elements).sqrt());
                 let n = mesh.elements.len();
-                let factors = if method == "analytic" {
+                let factors = if method == "analytic matrix" {
                     let tolerance = 0.02 / n as f64;
                     Analytic::new(scene, &mesh, tolerance, 0).sharp().matrix(&|| {})
                 } else {
                     Hemicube::new(&mesh, 256).matrix(&|| {})
                 };
                 let radiosity = gathered(scene, &mesh, &factors, 1e-3);
-                (mesh, radiosity)
+                let links = factors.rows().iter().map(|r| r.factors().len()).sum();
+                (mesh, radiosity, links)
             };
-            let ((mesh, radiosity), seconds) = timed(run);
-            let [flat, smooth] = reference.errors(
-                scene,
-                &mesh,
-                &radiosity,
-                &mesh.vertex_values(&radiosity),
-            );
-            println!(
-                "{name} {method}: {} elements, {seconds:.3} s, flat {flat:.2e}, smooth {smooth:.2e}",
-                mesh.elements.len()
-            );
+            let ((mesh, radiosity, links), seconds) = timed(run);
+            let smooth = mesh.vertex_values(&radiosity);
+            let errors = reference.errors(scene, &mesh, &radiosity, &smooth);
+            let elements = mesh.elements.len();
+            let run = Run { method, elements, links, seconds, errors };
+            run.print(name);
+            runs.push(run);
         }
     }
+    runs
 }

@@ -89,8 +89,7 @@ fn the_furnace_glows_evenly() {
         whole.solve(1e-10);
         assert!(off(&whole.finish(&furnace)) < 1e-5 * glow);
         let found = solved(&furnace, 0.05);
-        // Light from all sides varies less than that of any one: few elements will do.
-        assert!((7..500).contains(&found.mesh.elements.len()));
+        assert!(found.links > 30, "nothing was divided");
         let enclosure = Enclosure::of(&furnace, &found.mesh);
         let wrong = found.radiosity.iter().map(|&b| b - Rgb::splat(glow));
         let all = found.radiosity.iter().map(|&b| b - Rgb::ONE);

@@ -1,5 +1,5 @@
-//! The lab `gather`: right answers that are not the answer, and the numbers that its report
-//! asks for.
+//! The lab `gather`: right answers that are not the answer, and the numbers that its
+//! report asks for.
 
 mod common;
 
@@ -29,7 +29,7 @@ fn other_right_answers_pass() {
                 let new = (answer::WORK.bounce)(room, &radiosity);
                 let change =
                     new.iter().zip(&radiosity).map(|(new, old)| (new - old).abs());
-                // The change is the residual of the old values, which is the larger one.
+                // The change is the residual of the old values: the larger one.
                 let settled = change.fold(0.0, f64::max) <= accuracy * least;
                 (radiosity, sweeps) = (new, sweeps + 1);
                 if settled {

@@ -48,7 +48,8 @@ fn main() {
     }
 }
 
-/// The kernel counts in steps of some ms: calls are repeated for as long as this, in ms.
+/// The kernel counts in steps of some ms: calls are repeated for as long as this, in
+/// ms.
 const ROUND: f64 = 400.0;
 
 /// What `make` makes, and the processor time of a call in ms.

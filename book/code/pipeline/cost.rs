@@ -111,9 +111,9 @@ pub fn text() -> String {
     let share = of(STAGES[1], shown()).milliseconds / 1e3 / solve_share();
     let [split, factors, solve, render] = STAGES.map(exponent);
     format!(
-        "**The form factors take {:.0} % of what is done once.** From the second mesh on, \
-         the times grow as n to the power {split:.1} (split), {factors:.1} (form factors), \
-         {solve:.1} (solve) and {render:.1} (render).\n",
+        "**The form factors take {:.0} % of what is done once.** From the second mesh \
+         on, the times grow as n to the power {split:.1} (split), {factors:.1} (form \
+         factors), {solve:.1} (solve) and {render:.1} (render).\n",
         100.0 * share
     )
 }

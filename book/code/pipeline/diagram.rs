@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-/// A box: what is done, what comes out of it, how much of it, what changes come in here.
+/// A box: what is done, what comes out of it, how much of it, what changes come in
+/// here.
 struct Stage {
     does: &'static str,
     makes: &'static str,

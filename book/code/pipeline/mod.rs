@@ -1,7 +1,7 @@
 //! The figures and numbers of the chapter *The pipeline*.
 //!
-//! [`diagram`] draws the stages; [`stages`] shows what each hands to the next; [`spoilt`]
-//! spoils one at a time; [`cost`] says what each takes, from measurements.
+//! [`diagram`] draws the stages; [`stages`] shows what each hands to the next;
+//! [`spoilt`] spoils one at a time; [`cost`] says what each takes, from measurements.
 
 pub mod cost;
 pub mod diagram;

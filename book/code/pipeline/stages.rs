@@ -102,8 +102,8 @@ pub fn eyes() -> [Camera; 3] {
 /// The caption of the opening picture.
 pub fn caption() -> String {
     format!(
-        "Scene <code>cornell</code>, {} elements with edges up to {EDGE} m, form factors by \
-         hemicubes of 256, exposure 1.",
+        "Scene <code>cornell</code>, {} elements with edges up to {EDGE} m, form \
+         factors by hemicubes of 256, exposure 1.",
         solved().mesh.elements.len()
     )
 }
@@ -112,8 +112,8 @@ pub fn caption() -> String {
 pub fn eyes_caption() -> String {
     let (solve, picture) = (super::cost::solve_share(), super::cost::picture_share());
     format!(
-        "One solution, three eyes. On a mesh of {} elements, all that is done once takes \
-         {solve:.1} s, and a picture of 512 × 512 pixels {picture:.0} ms.",
+        "One solution, three eyes. On a mesh of {} elements, all that is done once \
+         takes {solve:.1} s, and a picture of 512 × 512 pixels {picture:.0} ms.",
         super::cost::shown()
     )
 }

@@ -63,6 +63,8 @@ pub enum SolverMethod {
     Gather,
     /// Progressive refinement: the brightest first
     Shoot,
+    /// Links between pieces of any size, with form factors of their own
+    Hierarchy,
 }
 
 /// Rays from an element: a factor of 0.1 is then good to 0.005.
@@ -90,6 +92,7 @@ impl How {
         let method = match self.method {
             SolverMethod::Gather => Method::Gather,
             SolverMethod::Shoot => Method::Shoot,
+            SolverMethod::Hierarchy => Method::Hierarchy,
         };
         Ok(Options { method, factors, tolerance, seed, ..Options::default() })
     }

@@ -1,5 +1,6 @@
 //! Pass 1 as a whole: mesh, factors, solver, certificate - and finer, until it suffices.
 
+use super::hierarchy::{Hierarchical, HierarchyOptions, solve_hierarchy};
 use super::{
     Brightest, Certificate, Enclosure, GaussSeidel, Ledger, Sampling, Shoot, Solver,
     Step, certify, contraction, error_bound,
@@ -21,6 +22,9 @@ pub enum Method {
     /// Progressive shooting.
     #[default]
     Shoot,
+    /// Links between nodes of any size, which bring their own mesh and form factors; on a
+    /// mesh that is given, as [`Method::Gather`].
+    Hierarchy,
 }
 
 /// How form factors are computed.
@@ -106,6 +110,9 @@ const SOLVER_SHARE: f64 = 0.1;
 ///
 /// Deterministic: the same at any number of threads.
 pub fn solve(scene: &Scene, options: &Options, progress: Progress) -> Solution {
+    if options.method == Method::Hierarchy {
+        return by_links(scene, options, progress);
+    }
     let area: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
     // 400 elements to begin with, or what the scene has anyway.
     let mut edge = (area / 400.0).sqrt();
@@ -145,7 +152,7 @@ pub fn solve_on(
         Factors::Hemicube(resolution) => Box::new(Hemicube::new(&mesh, resolution)),
     };
     let solve_by = match options.method {
-        Method::Gather => gather,
+        Method::Gather | Method::Hierarchy => gather,
         Method::Shoot => shoot,
     };
     let Light { radiosity, irradiance, displayed, last, steps } =
@@ -168,6 +175,45 @@ pub fn solve_on(
         steps,
         certificate,
         converged: certificate.high <= options.tolerance,
+    }
+}
+
+/// Links make do with so many times the elements that a matrix can have.
+const MORE_BY_LINKS: usize = 25;
+
+/// Solves over links, for ever smaller errors, until the certificate meets the tolerance
+/// or there may be no more elements.
+fn by_links(scene: &Scene, options: &Options, progress: Progress) -> Solution {
+    let mut error = 2.0 * options.tolerance;
+    loop {
+        let asked = HierarchyOptions {
+            most_elements: MORE_BY_LINKS.saturating_mul(options.most_elements),
+            seed: options.seed,
+            ..HierarchyOptions::aiming_at(error, scene)
+        };
+        let found = solve_hierarchy(scene, &asked, progress);
+        let Hierarchical { mesh, radiosity, vertex_radiosity, .. } = found;
+        progress("certifying", 0, 1);
+        let field = |id, x| mesh.value_at(mesh.element(id), x, &vertex_radiosity);
+        let sampling = Sampling { seed: options.seed, ..Sampling::default() };
+        let certificate = certify(scene, &mesh, &field, sampling);
+        progress("certifying", 1, 1);
+        let converged = certificate.high <= options.tolerance;
+        if converged || mesh.elements.len() >= asked.most_elements {
+            return Solution {
+                mesh,
+                displayed: radiosity.clone(),
+                radiosity,
+                irradiance: found.irradiance,
+                vertex_radiosity,
+                ledger: found.ledger,
+                solver_residual: found.solver_residual,
+                steps: found.steps,
+                certificate,
+                converged,
+            };
+        }
+        error *= (options.tolerance / certificate.high).clamp(0.4, 0.8);
     }
 }
 

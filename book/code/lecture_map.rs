@@ -183,7 +183,7 @@ pub const ROWS: [Row; 23] = [
                 "tests/tables_radiosity.rs",
                 "shooting_goes_step_by_step_as_published",
             ),
-            lab: None,
+            lab: Some("labs/shoot.md"),
         }),
     },
     Row {

@@ -68,6 +68,7 @@ mod pages {
         labs_lambert: "labs/lambert.md",
         labs_sampling: "labs/sampling.md",
         labs_hemicube: "labs/hemicube.md",
+        labs_shoot: "labs/shoot.md",
         notation: "notation.md",
         bibliography: "bibliography.md",
         lecture_map: "lecture-map.md",

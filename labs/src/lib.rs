@@ -39,6 +39,7 @@ pub mod gather;
 pub mod lambert;
 pub mod sampling;
 pub mod hemicube;
+pub mod shoot;
 
 pub use check::{Bug, Verdict};
 pub use lab::{Lab, Who};
@@ -52,4 +53,5 @@ pub const LABS: &[&Lab] = &[
     &lambert::LAB,
     &sampling::LAB,
     &hemicube::LAB,
+    &shoot::LAB,
 ];

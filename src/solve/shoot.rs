@@ -138,6 +138,7 @@ pub(super) fn largest(
     value: impl Fn(usize) -> f64,
     count: usize,
 ) -> Vec<ElementId> {
+    // ANCHOR: largest
     let mut left: Vec<(f64, usize)> =
         (0..n).map(|i| (value(i), i)).filter(|v| v.0 > 0.0).collect();
     let order =
@@ -147,6 +148,7 @@ pub(super) fn largest(
         left.truncate(count);
     }
     left.sort_by(order);
+    // ANCHOR_END: largest
     left.into_iter().map(|(_, i)| ElementId(i as u32)).collect()
 }
 

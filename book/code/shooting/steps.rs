@@ -40,7 +40,7 @@ pub fn unshot(shots: usize) -> f64 {
 pub fn caption(shots: usize) -> String {
     let shot = if shots == 1 { "shot" } else { "shots" };
     let left = 100.0 * unshot(shots);
-    format!("After {shots} {shot}: {left:.0} % of a lamp's light is unshot")
+    format!("After {shots} {shot}: {left:.0} % of the emitted light is unshot")
 }
 
 /// Where the light is after a hundred shots.

@@ -1,5 +1,5 @@
-//! Overshooting: the books balance, each shot comes nearer to the solution by as much as
-//! theory says, and there are fewer of them.
+//! Overshooting: the books balance, each shot comes nearer to the solution by as much
+//! as theory says, and there are fewer of them.
 
 mod common;
 
@@ -57,16 +57,16 @@ proptest! {
                 let i = step.shot.unwrap().0 as usize;
                 let power = enclosure.area[i] * (sent(&solver)[i] - before[i]);
                 let (row, lost) = &rows[i];
-                let short = 1.0 - row.iter().sum::<f64>() - lost.escaped - lost.absorbed;
-                expected += power * short;
+                let kept = row.iter().sum::<f64>() + lost.escaped + lost.absorbed;
+                expected += power * (1.0 - kept);
                 let off = (step.ledger.imbalance - expected).abs().max_element();
                 prop_assert!(off <= 1e-9 * step.ledger.emitted.max_element(), "{off}");
             }
         }
     }
 
-    /// `Q' − Q = −(A_i/ρ_i) δ (ΔB_i − δ/2)`, and never more than 0: the unshot light may
-    /// grow here and there, the distance from the solution does not.
+    /// `Q' − Q = −(A_i/ρ_i) δ (ΔB_i − δ/2)`, and never more than 0: the unshot light
+    /// may grow here and there, the distance from the solution does not.
     #[test]
     fn every_shot_comes_nearer(room in convex_room(), rho in 0.05..0.99_f64) {
         let scene = room.scene();
@@ -127,8 +127,8 @@ fn steps(enclosure: &Enclosure, matrix: &Matrix) -> [usize; 2] {
     [steps(shoot, rho), steps(Overshoot::new(enclosure, matrix), rho)]
 }
 
-/// Row 53, the better half: in a room like others half of the shots are saved; where light
-/// lasts long, nearly all.
+/// Row 53, the better half: in a room like others half of the shots are saved; where
+/// light lasts long, nearly all.
 #[test]
 fn half_of_the_shots_are_saved_and_more_in_bright_rooms() {
     let walls = || box_walls([1.0; 3]).into_iter().enumerate();
@@ -149,8 +149,8 @@ fn half_of_the_shots_are_saved_and_more_in_bright_rooms() {
     assert!((1.5..2.0).contains(&ratio), "{shoot} {overshoot}");
 }
 
-/// Where most light leaves, nothing comes back that could be shot ahead: nothing is gained,
-/// and nothing lost.
+/// Where most light leaves, nothing comes back that could be shot ahead: nothing is
+/// gained, and nothing lost.
 #[test]
 fn open_scenes_are_no_worse() {
     let scene = built_in("facing-squares").unwrap();

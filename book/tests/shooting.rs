@@ -1,6 +1,7 @@
 //! Pictures and numbers of the chapters on shooting, as snapshots and as claims.
 //!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test shooting`, and look.
+//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test shooting`, and
+//! look.
 
 #[path = "../../tests/common/picture.rs"]
 mod picture;
@@ -32,7 +33,8 @@ fn bright_specks_come_too_early() {
     assert_picture(PICTURES, "progressive-specks", &specks::picture());
 }
 
-/// Only lamps emit at first, then what they light, then all but what is black or unseen.
+/// Only lamps emit at first, then what they light, then all but what is black or
+/// unseen.
 #[test]
 fn few_emit_at_first() {
     let (emitting, n) = (lit::emitting(), cornell().mesh.elements.len());
@@ -55,8 +57,8 @@ fn overshooting_is_ahead() {
     }
 }
 
-/// Failure 53: what is owed grows without end when a shot may be more than twice what is
-/// there; within the safe bound it is paid back.
+/// Failure 53: what is owed grows without end when a shot may be more than twice what
+/// is there; within the safe bound it is paid back.
 #[test]
 fn debts_grow_without_the_safe_bound() {
     let [unbounded, twice, safe] = ahead::RULES.map(|(_, rule)| ahead::debt(rule, 400));

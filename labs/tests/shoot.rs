@@ -1,5 +1,5 @@
-//! The lab `shoot`: right answers that are not the answer, and the numbers that its report
-//! asks for.
+//! The lab `shoot`: right answers that are not the answer, and the numbers that its
+//! report asks for.
 
 mod common;
 
@@ -81,9 +81,9 @@ fn nan_fails() {
     assert_eq!(names, ["shown"]);
 }
 
-/// The failure that the report asks for, pinned: by radiosity, fifty specks have the first
-/// fifty shots, and a tenth of the light with them. Specks half as bright as the lamp wait
-/// for it, but still come before any wall.
+/// The failure that the report asks for, pinned: by radiosity, fifty specks have the
+/// first fifty shots, and a tenth of the light with them. Specks half as bright as the
+/// lamp wait for it, but still come before any wall.
 #[test]
 fn bright_specks_go_first() {
     let after = |brighter: f64, by: By| {

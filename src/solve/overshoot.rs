@@ -6,14 +6,14 @@ use crate::form_factor::FormFactors;
 use crate::geometry::Rgb;
 use crate::mesh::ElementId;
 
-/// Progressive shooting that sends more than is there (Feda & Purgathofer 1992; Gortler,
-/// Cohen & Slusallek 1994).
+/// Progressive shooting that sends more than is there (Feda & Purgathofer 1992;
+/// Gortler, Cohen & Slusallek 1994).
 ///
-/// Of the light under way, element `i` will get some irradiance `a`, and will have to send
-/// on `ρ_i a` of it. It sends that now, and owes it: its unshot light turns negative, until
-/// what comes back has paid for it. As guess of `a`, the light is spread evenly, as the
-/// [ambient](Shoot::ambient) term does, but for the share that leaves the scene; shots so
-/// far have told how much.
+/// Of the light under way, element `i` will get some irradiance `a`, and will have to
+/// send on `ρ_i a` of it. It sends that now, and owes it: its unshot light turns
+/// negative, until what comes back has paid for it. As guess of `a`, the light is
+/// spread evenly, as the [ambient](Shoot::ambient) term does, but for the share that
+/// leaves the scene; shots so far have told how much.
 ///
 /// ```text
 /// k = 1 − lost/sent                  of the power shot so far, what met a front
@@ -22,19 +22,21 @@ use crate::mesh::ElementId;
 /// 0 ≤ δ_i/ΔB_i ≤ 1.9                 the safe bound, per channel
 /// ```
 ///
-/// **Why it is safe.** With reciprocal factors, `M = diag(A/ρ) (1 − ρF)` is symmetric, and
-/// positive definite for `ρ < 1`. Let `e` be the error of what has been sent so far, and
-/// `Q = ½ eᵀ M e` its distance from the solution. A shot of `δ_i` changes that by
+/// **Why it is safe.** With reciprocal factors, `M = diag(A/ρ) (1 − ρF)` is symmetric,
+/// and positive definite for `ρ < 1`. Let `e` be the error of what has been sent so
+/// far, and `Q = ½ eᵀ M e` its distance from the solution. A shot of `δ_i` changes that
+/// by
 ///
 /// ```text
 /// Q' − Q = −(A_i/ρ_i) δ_i (ΔB_i − ½ δ_i)
 /// ```
-/// which is negative whenever `0 < δ_i/ΔB_i < 2`, however wrong the guess `a` is. So each
-/// shot comes nearer. From 2 on, it goes away. 1.9 leaves room for factors that are not
-/// quite reciprocal.
+/// which is negative whenever `0 < δ_i/ΔB_i < 2`, however wrong the guess `a` is. So
+/// each shot comes nearer. From 2 on, it goes away. 1.9 leaves room for factors that
+/// are not quite reciprocal.
 ///
-/// While unshot light is negative here and there, radiosities may be too large elsewhere:
-/// what is shown early on is no lower bound of the solution, as it is with [`Shoot`].
+/// While unshot light is negative here and there, radiosities may be too large
+/// elsewhere: what is shown early on is no lower bound of the solution, as it is with
+/// [`Shoot`].
 pub struct Overshoot<'a> {
     shoot: Shoot<'a>,
 }

@@ -12,22 +12,28 @@ pub enum Brightest {
     /// The most unshot power `A ΔB`: what lowers the residual most (Cohen et al. 1988).
     #[default]
     ByPower,
-    /// The most unshot radiosity `ΔB`: the lecture's word; small patches come too early.
+    /// The most unshot radiosity `ΔB`: the lecture's word; small patches come too
+    /// early.
     ByRadiosity,
 }
 
-/// Progressive shooting, which is Southwell's relaxation (Gortler, Cohen & Slusallek 1994).
+/// Progressive shooting, which is Southwell's relaxation (Gortler, Cohen & Slusallek
+/// 1994).
 ///
 /// ```text
 /// B_j += ρ_j F_ij A_i/A_j ΔB_i = ρ_j F_ji ΔB_i     and ΔB_j too, for all j;  ΔB_i = 0
 /// ```
-/// Needs one row of factors a step, that of the element that shoots. Elements without light
-/// left to send are never chosen, so that it iterates over emitting elements only. Ends
-/// (`None`) when no light is left at all.
+/// Needs one row of factors a step, that of the element that shoots. Elements without
+/// light left to send are never chosen, so that it iterates over emitting elements
+/// only. Ends (`None`) when no light is left at all.
 ///
-/// A step takes the time of a row and some `n` additions, to look for the brightest and to
-/// keep the books. What it saves is rows: those of elements that never shine are never
-/// asked for.
+/// A step takes the time of a row and some `n` additions, to look for the brightest and
+/// to keep the books. What it saves is rows: those of elements that never shine are
+/// never asked for.
+///
+/// With factors that are not reciprocal, a hemicube's for instance, it ends at another
+/// solution than gathering, as it takes `F_ij A_i/A_j` for `F_ji`: no light is made or
+/// lost on the way as long as each row, with what it loses, sums to one.
 pub struct Shoot<'a> {
     pub(super) enclosure: &'a Enclosure,
     factors: &'a dyn FormFactors,
@@ -70,7 +76,8 @@ impl<'a> Shoot<'a> {
         self.lost.escaped + self.lost.absorbed
     }
 
-    /// The brightest `count` elements, brightest first; fewer when fewer have light left.
+    /// The brightest `count` elements, brightest first; fewer when fewer have light
+    /// left.
     pub fn brightest(&self, count: usize) -> Vec<ElementId> {
         // ANCHOR: brightness
         let brightness = |i: usize| match self.brightest {
@@ -84,10 +91,11 @@ impl<'a> Shoot<'a> {
     /// How bright the room would be, in W/m², were the unshot light spread evenly:
     ///
     /// ```text
-    /// a = Σ A ΔB / Σ A · (1 + ρ̄ + ρ̄² + …) = Σ A ΔB / Σ A (1 − ρ)      (Cohen et al. 1988)
+    /// a = Σ A ΔB / Σ A · (1 + ρ̄ + ρ̄² + …) = Σ A ΔB / Σ A (1 − ρ)
     /// ```
-    /// with `ρ̄` the area's mean reflectance. A guess at the irradiance that is still to
-    /// come: too large for rooms that light can leave, and blind to walls.
+    /// with `ρ̄` the area's mean reflectance (Cohen et al. 1988). A guess at the
+    /// irradiance that is still to come: too large for rooms that light can leave, and
+    /// blind to walls.
     pub fn ambient(&self) -> Rgb {
         // ANCHOR: ambient
         let reflectance = self.enclosure.reflectance.iter();
@@ -97,17 +105,17 @@ impl<'a> Shoot<'a> {
         // ANCHOR_END: ambient
     }
 
-    /// `B_i + ρ_i a`: the radiosity with the [ambient](Shoot::ambient) guess at the light
-    /// that is still under way, **for display only**: never part of the solution.
+    /// `B_i + ρ_i a`: the radiosity with the [ambient](Shoot::ambient) guess at the
+    /// light that is still under way, **for display only**: never part of the solution.
     pub fn with_ambient(&self) -> Vec<Rgb> {
         let ambient = self.ambient();
         let lit = self.radiosity.iter().zip(&self.enclosure.reflectance);
         lit.map(|(&b, &rho)| b + rho * ambient).collect()
     }
 
-    /// Element `from` shoots `amount` of radiosity, W/m², whoever is the brightest: of its
-    /// unshot radiosity `ΔB − amount` is left, which is negative when that is more than it
-    /// had. [`Shoot::next`] sends all there is, [`super::Overshoot`] some more.
+    /// Element `from` shoots `amount` of radiosity, W/m², whoever is the brightest: of
+    /// its unshot radiosity `ΔB − amount` is left, which is negative when that is more
+    /// than it had. [`Shoot::next`] sends all there is, [`super::Overshoot`] some more.
     pub fn send(&mut self, from: ElementId, amount: Rgb) -> Step {
         let i = from.0 as usize;
         let lost = self.factors.row(from, &mut self.row);

@@ -120,7 +120,8 @@ fn squares(rho: f64) -> Scene {
     map::grey(squares.into_iter().zip([1.0, 0.0]).map(|(square, e)| (square, e, rho)))
 }
 
-/// How much an element shoots, of its unshot light and the ambient light it would reflect.
+/// How much an element shoots, of its unshot light and the ambient light it would
+/// reflect.
 type Rule = fn(f64, f64) -> f64;
 
 /// The rules of the chart.

@@ -1,5 +1,5 @@
-//! The chart of *Progressive refinement*: the time to a picture, from measurements that are
-//! kept with their date.
+//! The chart of *Progressive refinement*: the time to a picture, from measurements that
+//! are kept with their date.
 
 use crate::chart::{self, Point};
 
@@ -13,8 +13,8 @@ fn points() -> Vec<Point> {
 /// Error over time, factors included.
 pub fn svg() -> String {
     chart::svg(
-        "Relative error of the radiosity against the time since the start, form factors \
-         included",
+        "Relative error of the radiosity against the time since the start, form \
+         factors included",
         &points(),
         "milliseconds since the start, one thread",
         "relative error",
@@ -31,10 +31,10 @@ pub fn text() -> String {
     let (early, guessed) = (find("shoot", "100"), find("with ambient", "100"));
     let (first, last) = (find("all rows first", "1"), find("all rows first", "8"));
     format!(
-        "A hundred shots take {:.0} ms; the picture is {:.0} % off then, and {:.0} % with the \
-         ambient term. Who computes all rows first waits {:.0} ms for the first sweep, which \
-         is {:.0} % off, but a few more sweeps are nearly free. All end at {:.1} %, give or \
-         take: that is the hemicubes' own error.\n",
+        "A hundred shots take {:.0} ms; the picture is {:.0} % off then, and {:.0} % \
+         with the ambient term. Who computes all rows first waits {:.0} ms for the \
+         first sweep, which is {:.0} % off, but a few more sweeps are nearly free. \
+         All end at {:.1} %, give or take: that is the hemicubes' own error.\n",
         early.milliseconds,
         100.0 * early.error,
         100.0 * guessed.error,

@@ -134,8 +134,9 @@ pub fn caption() -> String {
     let (n, rows) = (counts.len(), rows_used(&counts));
     let most = counts.iter().max().copied().unwrap_or(0);
     format!(
-        "The Cornell box, {n} elements, by the time that it is {} % off: {} shots from {rows} \
-         elements, some of which shot {most} times. Grey have not shot yet.\n",
+        "The Cornell box, {n} elements, by the time that it is {} % off: {} shots \
+         from {rows} elements, some of which shot {most} times. Grey have not shot \
+         yet.\n",
         100.0 * ERROR,
         counts.iter().sum::<u32>()
     )

@@ -1,9 +1,9 @@
 //! The figures and numbers of the chapters on shooting: *Progressive refinement*, *Only
 //! what still shines*.
 //!
-//! [`steps`] stops after some shots and looks; [`work`] draws error over shots; [`specks`]
-//! has many small lamps; [`lit`] asks who shines; [`ahead`] overshoots; [`cost`] draws what
-//! was measured.
+//! [`steps`] stops after some shots and looks; [`work`] draws error over shots;
+//! [`specks`] has many small lamps; [`lit`] asks who shines; [`ahead`] overshoots;
+//! [`cost`] draws what was measured.
 
 pub mod ahead;
 pub mod cost;

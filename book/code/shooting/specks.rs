@@ -16,7 +16,8 @@ const SPECKS: usize = 40;
 /// How many shots are made.
 pub const SHOTS: usize = 40;
 
-/// The Cornell box with specks of 2 mm below its ceiling, five times as bright as the lamp.
+/// The Cornell box with specks of 2 mm below its ceiling, five times as bright as the
+/// lamp.
 fn scene() -> Scene {
     let mut scene = built_in("cornell").expect("`cornell` is built in");
     let lamp = scene.materials.iter().find(|m| m.emits()).expect("it has a lamp");
@@ -63,7 +64,7 @@ pub fn text() -> String {
     let [radiosity, power] =
         [Brightest::ByRadiosity, Brightest::ByPower].map(|b| 100.0 * shot(b).0);
     format!(
-        "After {SHOTS} shots. Left: by radiosity, {radiosity:.0} % of the light is unshot. \
-         Right: by power, {power:.0} %.\n"
+        "After {SHOTS} shots. Left: by radiosity, {radiosity:.0} % of the light is \
+         unshot. Right: by power, {power:.0} %.\n"
     )
 }

@@ -35,8 +35,8 @@ fn point(method: &str, work: f64, setting: String, error: f64) -> Point {
     Point { method: method.into(), setting, milliseconds: work, error }
 }
 
-/// The Cornell box, by power and by radiosity, with and without ambient term, and by sweeps
-/// of as many rows as there are elements.
+/// The Cornell box, by power and by radiosity, with and without ambient term, and by
+/// sweeps of as many rows as there are elements.
 fn points() -> Vec<Point> {
     let room = cornell();
     let shoot = |brightest| Shoot::new(&room.enclosure, &room.factors, brightest);
@@ -81,9 +81,9 @@ pub fn text() -> String {
         points.iter().find(fits).map_or(1.0, |p| p.error)
     };
     format!(
-        "{} elements. After 10 shots the radiosity is {:.0} % off, with the ambient term \
-         {:.0} %. A first sweep of Gauss–Seidel, {} rows, leaves {:.0} %. To 1 %, shooting \
-         takes some {} shots, and sweeping {} rows.\n",
+        "{} elements. After 10 shots the radiosity is {:.0} % off, with the ambient \
+         term {:.0} %. A first sweep of Gauss–Seidel, {} rows, leaves {:.0} %. To 1 \
+         %, shooting takes some {} shots, and sweeping {} rows.\n",
         room.mesh.elements.len(),
         100.0 * at("by power", 10.0),
         100.0 * at("with ambient", 10.0),

@@ -8,8 +8,8 @@ bugs! {
         "Was the brightest chosen by radiosity? By power, the area counts: A ΔB.";
     /// argmax A ΔB for ΔB.
     BY_POWER "by-power"
-        "Was the brightest chosen by power? By radiosity, watts for each m² count, and no \
-         area.";
+        "Was the brightest chosen by power? By radiosity, watts for each m² count, \
+         and no area.";
     /// argmax A.
     LARGEST "largest"
         "That is the largest element, not the brightest.";
@@ -22,45 +22,47 @@ bugs! {
          never ends. Who has no unshot light is no candidate.";
     /// None where there is light.
     STOPS_EARLY "stops-early"
-        "There is light left, if little. Is something compared with a fixed number? What \
-         is little depends on the room; when to stop is for the caller to say.";
+        "There is light left, if little. Is something compared with a fixed number? \
+         What is little depends on the room; when to stop is for the caller to say.";
     /// ρ F ΔB.
     NO_AREAS "no-areas"
-        "Are the areas missing? F_ij is a share of *power*. Element i sends A_i ΔB_i watts; \
-         what arrives is spread over A_j.";
+        "Are the areas missing? F_ij is a share of *power*. Element i sends A_i ΔB_i \
+         watts; what arrives is spread over A_j.";
     /// A_j/A_i.
     UPSIDE_DOWN "upside-down"
         "The ratio of the areas is upside down: a large sender lights a small receiver \
          well, A_i/A_j.";
     /// F_ji A_i/A_j.
     SLIDE "slide"
-        "That is F_ji A_i/A_j, as on the lecture's slide, whose F has its indices the other \
-         way round. Here F_ij is from i to j: F_ij A_i/A_j, which is F_ji alone.";
+        "That is F_ji A_i/A_j, as on the lecture's slide, whose F has its indices the \
+         other way round. Here F_ij is from i to j: F_ij A_i/A_j, which is F_ji \
+         alone.";
     /// ρ_i.
     SENDERS_PAINT "senders-paint"
-        "Whose reflectance is that? The receiver reflects what arrives; the sender's light \
-         has been reflected already.";
+        "Whose reflectance is that? The receiver reflects what arrives; the sender's \
+         light has been reflected already.";
     /// 1.
     NO_PAINT "no-paint"
-        "Is the reflectance missing? Of what arrives, the receiver sends on the share ρ_j.";
+        "Is the reflectance missing? Of what arrives, the receiver sends on the share \
+         ρ_j.";
     /// B_i for ΔB_i.
     SENDS_ALL "sends-all"
-        "The element sends its whole radiosity, and so what it has sent before, once more. \
-         Emission then counts twice. Only ΔB is left to send.";
+        "The element sends its whole radiosity, and so what it has sent before, once \
+         more. Emission then counts twice. Only ΔB is left to send.";
     /// ΔB_i stays.
     NOT_CLEARED "not-cleared"
         "The sender keeps its unshot light, and will send it again. Is it set to 0?";
     /// ΔB_i = 0 after the loop.
     CLEARED_LAST "cleared-last"
-        "A hollow element sees itself: what comes back to it is new, and unshot. Is the \
-         sender cleared after the loop? Clear it before.";
+        "A hollow element sees itself: what comes back to it is new, and unshot. Is \
+         the sender cleared after the loop? Clear it before.";
     /// ΔB_i = 0 too soon.
     NOTHING_SENT "nothing-sent"
         "Nothing was sent. Was the sender cleared before its power was taken?";
     /// ΔB_j stays.
     NOT_PASSED_ON "not-passed-on"
-        "The receivers show the light but do not send it on: ΔB_j grows by as much as B_j. \
-         Without that there is one bounce and no more.";
+        "The receivers show the light but do not send it on: ΔB_j grows by as much as \
+         B_j. Without that there is one bounce and no more.";
     /// B_j = .
     OVERWRITES "overwrites"
         "What was there before is lost. The light of each shot is *added*.";
@@ -96,15 +98,15 @@ bugs! {
          irradiance, of what arrives.";
     /// B = 0 at the start.
     NO_EMISSION "no-emission"
-        "The lamps are dark. At the start B is not 0 but E: what is emitted is there from \
-         the beginning.";
+        "The lamps are dark. At the start B is not 0 but E: what is emitted is there \
+         from the beginning.";
     /// B = E + what includes E.
     EMISSION_TWICE "emission-twice"
         "Emission counts twice. B starts as E; nothing adds E again.";
     /// B + ρ a kept.
     AMBIENT_IN_RESULT "ambient-in-result"
-        "The ambient guess is in the result, so that light counts twice: once as a guess, \
-         and again when it comes. It belongs to the picture alone.";
+        "The ambient guess is in the result, so that light counts twice: once as a \
+         guess, and again when it comes. It belongs to the picture alone.";
     /// Shots ± 1.
     OFF_BY_ONE "off-by-one"
         "That is one shot too many, or too few.";

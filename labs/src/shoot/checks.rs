@@ -1,7 +1,8 @@
 //! The checks of this lab.
 //!
-//! Some products are summed, over a few shots: 1e-12 of the largest value is thousands of
-//! roundings. In a ball, where `F_ij = A_j/Σ A`, light spreads evenly, and all is known:
+//! Some products are summed, over a few shots: 1e-12 of the largest value is thousands
+//! of roundings. In a ball, where `F_ij = A_j/Σ A`, light spreads evenly, and all is
+//! known:
 //!
 //! ```text
 //! H = Σ A E / Σ A (1 − ρ)       B_i = E_i + ρ_i H       shown so after every shot
@@ -55,7 +56,8 @@ fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.enumerate().fold((0, f64::NEG_INFINITY), first).0 as f64
 }
 
-/// Twenty balls with any light (in boxes, walls are equally large two by two); what is chosen is compared as a number, −1 being nobody.
+/// Twenty balls with any light (in boxes, walls are equally large two by two); what is
+/// chosen is compared as a number, −1 being nobody.
 fn brightest(work: &Work, stream: &mut Stream, by: By) -> Verdict {
     let mut rooms = Vec::new();
     for _ in 0..20 {

@@ -7,12 +7,12 @@
 //! Σ A E = Σ A (1 − ρ) H + Σ A ΔB                              the ledger, W
 //! ```
 //!
-//! The student writes the five functions of [`Work`]. They are judged in the rooms of the
-//! lab `gather`: balls and boxes with exact form factors and areas that differ. In a ball
-//! light spreads evenly, so that the ambient guess is exact after every shot.
+//! The student writes the five functions of [`Work`]. They are judged in the rooms of
+//! the lab `gather`: balls and boxes with exact form factors and areas that differ. In
+//! a ball light spreads evenly, so that the ambient guess is exact after every shot.
 //!
-//! **Not here:** form factors, overshooting. Chapter *Progressive refinement* (L13); brief:
-//! `book/src/labs/shoot.md`. Source: Cohen et al. 1988.
+//! **Not here:** form factors, overshooting. Chapter *Progressive refinement* (L13);
+//! brief: `book/src/labs/shoot.md`. Source: Cohen et al. 1988.
 
 pub mod given;
 pub mod starter;

@@ -1,5 +1,5 @@
-//! Your work. The brief is `book/src/labs/shoot.md`; `given.rs` holds the types. Replace
-//! each `todo!`, then:
+//! Your work. The brief is `book/src/labs/shoot.md`; `given.rs` holds the types.
+//! Replace each `todo!`, then:
 //!
 //! ```text
 //! cargo lab run shoot --task 1

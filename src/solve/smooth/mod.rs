@@ -109,13 +109,14 @@ pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
     let mut system =
         System::new(scene, &patches, (&fine, &light), &direct, how.hemicube);
     system.look(progress);
-    let (reflected, solver_residual, rounds) = system.solve(how.solver, progress);
+    let dark = vec![Rgb::ZERO; system.corners.len()];
+    let (reflected, _, rounds) = system.solve(how.solver, &dark, progress);
     let shone = system.reflected_slopes(&reflected);
     let scale = system.reflected_light(&reflected);
 
     progress("reflected light", 0, 1);
     let counter = AtomicUsize::new(system.corners.len());
-    let (coarse, reflected_fine) = Refinement {
+    let (coarse, mut reflected_fine) = Refinement {
         light: &|e, at| {
             counter.fetch_add(1, Ordering::Relaxed);
             system.seen_from(at, e.polygon.normal()).irradiance(&shone)
@@ -128,6 +129,21 @@ pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
         most: how.most_elements,
     }
     .run_from(patches.clone(), system.places(), reflected.clone());
+
+    // What patches send is corrected by how their light bulges between the corners.
+    let before = reflected;
+    system.bulge_of(&coarse, &reflected_fine);
+    let (reflected, solver_residual, again) =
+        system.solve(how.solver, &before, progress);
+    let change: Vec<Rgb> = reflected.iter().zip(&before).map(|(a, b)| a - b).collect();
+    for (k, place) in coarse.places(0.0).iter().enumerate() {
+        let Some(Place { element, .. }) = place else { continue };
+        let patch = coarse.elements[*element as usize].patch;
+        let patch = &patches.elements[patch.0 as usize];
+        reflected_fine[k] += patches.value_at(patch, coarse.vertices[k], &change);
+    }
+    coarse.anchor(&mut reflected_fine);
+    let rounds = rounds + again;
 
     progress("direct light", 1, 2);
     let receivers = coarse.with_elements_as_patches();
@@ -220,6 +236,8 @@ struct System<'a> {
     once_by_element: Vec<Slopes>,
     /// `E + ρ H_direct`, mean of each patch.
     first: Vec<Rgb>,
+    /// Reflected light, mean of each patch above that of its corners.
+    bulge: Vec<Rgb>,
     /// T-vertices see nothing.
     corners: Vec<Corner>,
 }
@@ -263,6 +281,7 @@ impl<'a> System<'a> {
             once: all.clone().map(of_patch).collect(),
             once_by_element: fine.elements.iter().enumerate().map(of_element).collect(),
             first: all.map(|k| emission[k] + reflectance[k] * arriving[k]).collect(),
+            bulge: vec![Rgb::ZERO; patches.elements.len()],
             corners: Vec::new(),
             patches,
             enclosure,
@@ -307,9 +326,20 @@ impl<'a> System<'a> {
     /// light at the corners.
     fn reflected_slopes(&self, reflected: &[Rgb]) -> Vec<Slopes> {
         let of_patch = |(k, &rho): (usize, &Rgb)| {
-            self.linear.of_patch(k, reflected).map(|b| rho * b)
+            let mut b = self.linear.of_patch(k, reflected);
+            b[0] += self.bulge[k];
+            b.map(|b| rho * b)
         };
         self.enclosure.reflectance.iter().enumerate().map(of_patch).collect()
+    }
+
+    /// Finds the bulges from `light` at the vertices of `mesh`, the patches split.
+    fn bulge_of(&mut self, mesh: &Mesh, light: &[Rgb]) {
+        let means = means(mesh, &element_means(mesh, light), self.bulge.len());
+        let of_patch = |(k, mean): (usize, Rgb)| {
+            mean - self.linear.mean(k, &self.linear.of_patch(k, light))
+        };
+        self.bulge = means.into_iter().enumerate().map(of_patch).collect();
     }
 
     /// `B`, W/m², mean over each patch.
@@ -329,9 +359,14 @@ impl<'a> System<'a> {
     }
 
     /// The reflected light at the corners, the solver's residual and its rounds.
-    fn solve(&self, enough: f64, progress: Progress) -> (Vec<Rgb>, f64, usize) {
+    fn solve(
+        &self,
+        enough: f64,
+        start: &[Rgb],
+        progress: Progress,
+    ) -> (Vec<Rgb>, f64, usize) {
         let mut anderson = Anderson::default();
-        let mut reflected = vec![Rgb::ZERO; self.corners.len()];
+        let mut reflected = start.to_vec();
         let rho = self.enclosure.largest_reflectance().max_element();
         let mut residual = f64::INFINITY;
         for round in 0..MOST_ROUNDS {

@@ -19,7 +19,7 @@ pub fn json(solution: &Solution, tolerance: f64) -> Value {
     let Ledger { emitted, absorbed, escaped, unshot, imbalance } = solution.ledger;
     json!({
         "elements": solution.mesh.elements.len(),
-        "patches": solution.mesh.patches.len(),
+        "patches": solution.patches,
         "tolerance": tolerance,
         "converged": solution.converged,
         "solver_residual": solution.solver_residual,
@@ -58,8 +58,7 @@ pub fn text(
     tolerance: f64,
     seconds: f64,
 ) -> String {
-    let (elements, patches) =
-        (solution.mesh.elements.len(), solution.mesh.patches.len());
+    let (elements, patches) = (solution.mesh.elements.len(), solution.patches);
     let mut text = format!(
         "{}: {elements} elements on {patches} patches, {} steps, {seconds:.1} s\n",
         scene.name, solution.steps

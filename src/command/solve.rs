@@ -34,20 +34,22 @@ pub struct How {
     #[arg(long, default_value = "1%", value_parser = values::tolerance)]
     #[arg(allow_hyphen_values = true)]
     pub tolerance: f64,
-    /// How form factors are computed
-    #[arg(long, value_enum, default_value_t = FactorMethod::Hemicube)]
+    /// How form factors are computed [default: auto]
+    #[arg(long, value_enum, default_value_t = FactorMethod::Auto, hide_default_value = true)]
     pub form_factors: FactorMethod,
     /// Rays from each element, with `--form-factors sampling` [default: 4096]
     #[arg(long, value_name = "N")]
     pub samples: Option<usize>,
     /// How the equation is solved
-    #[arg(long, value_enum, default_value_t = SolverMethod::Shoot)]
+    #[arg(long, value_enum, default_value_t = SolverMethod::Auto)]
     pub method: SolverMethod,
 }
 
 /// The methods for form factors.
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 pub enum FactorMethod {
+    /// What suits the scene
+    Auto,
     /// Lambert's formula, with what stands between cut out
     Analytic,
     /// Rays from random points in cosine-weighted directions
@@ -59,6 +61,8 @@ pub enum FactorMethod {
 /// The solvers.
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 pub enum SolverMethod {
+    /// What the scene needs, until the certificate says that it suffices
+    Auto,
     /// Gauss-Seidel over the whole matrix
     Gather,
     /// Progressive refinement: the brightest first

@@ -6,7 +6,7 @@
 //! B_t = (1 − t) B_a + t B_b               T-vertex t on the edge ab of a larger element
 //! ```
 //!
-//! A **patch** is a piece of one [`Surface`](crate::scene::Surface) (all of it, unless it
+//! A **patch** is a piece of one [`Surface`] (all of it, unless it
 //! is asked to be smaller); it is divided into **elements**. Elements of one patch do not
 //! see each other, and from outside a patch is what its elements are on the average.
 //! Elements never straddle a line where another surface touches or pierces their patch,
@@ -192,6 +192,16 @@ impl Mesh {
     /// The outlines of all elements, in order.
     pub fn polygons(&self) -> impl ExactSizeIterator<Item = &Polygon> + Clone {
         self.elements.iter().map(|e| &e.polygon)
+    }
+
+    /// Means over the elements of what is linear between corners: those of their corners,
+    /// which is exact on triangles and parallelograms.
+    pub fn element_means(&self, of_vertices: &[Rgb]) -> Vec<Rgb> {
+        let mean = |e: &Element| {
+            let sum: Rgb = e.corners.iter().map(|c| of_vertices[c.0 as usize]).sum();
+            sum / e.corners.len() as f64
+        };
+        self.elements.iter().map(mean).collect()
     }
 
     /// Values at the vertices: the area-weighted means of the elements that meet there.

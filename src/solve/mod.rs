@@ -26,6 +26,7 @@
 //! Sources: Goral et al. 1984; Cohen & Greenberg 1985; Cohen, Chen, Wallace &
 //! Greenberg 1988; Hestenes & Stiefel 1952.
 
+mod auto;
 mod certificate;
 mod conjugate;
 mod direct;
@@ -42,6 +43,7 @@ mod solution;
 mod solver;
 mod substructure;
 
+pub use auto::{Ask, Pass, automatic, resolution_for};
 pub use certificate::{Audit, Certificate, Sampling, audit, certify};
 pub use conjugate::ConjugateGradients;
 pub use direct::{Direct, OnPiece};

@@ -82,6 +82,9 @@ pub type Progress<'a> = &'a (dyn Fn(&'static str, usize, usize) + Sync);
 pub struct Solution {
     /// The elements.
     pub mesh: Mesh,
+    /// How many patches shone on each other: as many as elements, unless they were
+    /// substructured.
+    pub patches: usize,
     /// `B`, W/m², per element.
     pub radiosity: Vec<Rgb>,
     /// `H`, W/m², per element, on the front.
@@ -165,6 +168,7 @@ pub fn solve_on(
     let certificate = certify(scene, &mesh, &field, sampling);
     progress("certifying", 1, 1);
     Solution {
+        patches: n,
         mesh,
         radiosity,
         irradiance,

@@ -186,15 +186,6 @@ fn direct_scale(scene: &Scene, patches: &Mesh, direct: &Direct) -> Rgb {
     enclosure.norm_squared(reflected)
 }
 
-/// The mean over each element of what is linear between its corners.
-fn element_means(mesh: &Mesh, of_vertices: &[Rgb]) -> Vec<Rgb> {
-    let mean = |e: &Element| {
-        let sum: Rgb = e.corners.iter().map(|c| of_vertices[c.0 as usize]).sum();
-        sum / e.corners.len() as f64
-    };
-    mesh.elements.iter().map(mean).collect()
-}
-
 /// The mean over each patch of what its elements have.
 fn means(mesh: &Mesh, of_elements: &[Rgb], patches: usize) -> Vec<Rgb> {
     let mut sums = vec![(Rgb::ZERO, 0.0); patches];
@@ -257,7 +248,7 @@ impl<'a> System<'a> {
         let Enclosure { emission, reflectance, .. } = &enclosure;
         let mut at_corners = light[..patches.vertices.len()].to_vec();
         patches.anchor(&mut at_corners);
-        let arriving = means(fine, &element_means(fine, light), patches.elements.len());
+        let arriving = means(fine, &fine.element_means(light), patches.elements.len());
         let seen = |k: usize| match direct.sums_emitters() {
             true => Rgb::ZERO,
             false => emission[k],
@@ -335,7 +326,7 @@ impl<'a> System<'a> {
 
     /// Finds the bulges from `light` at the vertices of `mesh`, the patches split.
     fn bulge_of(&mut self, mesh: &Mesh, light: &[Rgb]) {
-        let means = means(mesh, &element_means(mesh, light), self.bulge.len());
+        let means = means(mesh, &mesh.element_means(light), self.bulge.len());
         let of_patch = |(k, mean): (usize, Rgb)| {
             mean - self.linear.mean(k, &self.linear.of_patch(k, light))
         };
@@ -399,7 +390,7 @@ impl<'a> System<'a> {
     ) -> Ledger {
         let sent = self.mean_radiosity(reflected);
         let fine = Enclosure::of(scene, mesh);
-        let irradiance = element_means(mesh, irradiance);
+        let irradiance = mesh.element_means(irradiance);
         let unshot = |(k, e): (usize, &Element)| {
             fine.emission[k] + fine.reflectance[k] * irradiance[k] - sent[source(e)]
         };

@@ -1,0 +1,173 @@
+//! Pass 1 as it is asked for by an error: resolve, certify, and finer until it suffices.
+
+use super::{
+    Certificate, Enclosure, Progress, Resolution, Sampling, Smooth, Solution, certify,
+    smooth,
+};
+use crate::geometry::Rgb;
+use crate::mesh::ElementId;
+use crate::scene::Scene;
+use glam::DVec3;
+
+/// What a solution must reach, and what it may cost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ask {
+    /// The largest certified error asked for, relative; see [`Certificate`].
+    pub tolerance: f64,
+    /// Names the random streams.
+    pub seed: u64,
+    /// The most patches: the work grows as their square.
+    pub most_patches: usize,
+    /// The most elements.
+    pub most_elements: usize,
+}
+
+impl Default for Ask {
+    fn default() -> Ask {
+        Ask { tolerance: 0.01, seed: 0, most_patches: 4000, most_elements: 60_000 }
+    }
+}
+
+/// One attempt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pass {
+    /// How finely it resolved light.
+    pub resolution: Resolution,
+    /// What shines on what.
+    pub patches: usize,
+    /// What light is shown on.
+    pub elements: usize,
+    /// How many hemicubes were drawn.
+    pub hemicubes: usize,
+    /// What came out.
+    pub certificate: Certificate,
+}
+
+/// Patches of a scene that is to be 1 % right.
+const PATCHES: f64 = 400.0;
+
+/// The resolution with which a first attempt is likely to suffice.
+///
+/// The error of linear elements falls with the square of their size: as one over the
+/// number of patches. The shares are those that served the built-in scenes best: they add
+/// up, in the square, to half of the tolerance.
+pub fn resolution_for(scene: &Scene, tolerance: f64) -> Resolution {
+    let area: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
+    let patches = (PATCHES * 0.01 / tolerance).clamp(60.0, 10_000.0);
+    Resolution {
+        patch: (area / patches).sqrt(),
+        hemicube: if tolerance < 0.005 { 64 } else { 32 },
+        direct: 0.4 * tolerance,
+        reflected: 0.5 * tolerance,
+        solver: 0.02 * tolerance,
+        most_elements: Ask::default().most_elements,
+    }
+}
+
+/// Attempts at the most.
+const MOST_PASSES: usize = 6;
+
+/// Solves a scene, from the resolution `first` on to finer ones, until the certificate
+/// says that the tolerance is met, or more patches would be needed than are allowed.
+///
+/// Deterministic: the same at any number of threads.
+pub fn automatic(
+    scene: &Scene,
+    first: Resolution,
+    ask: &Ask,
+    progress: Progress,
+) -> (Solution, Vec<Pass>) {
+    let mut how = Resolution { most_elements: ask.most_elements, ..first };
+    let mut passes = Vec::new();
+    loop {
+        let light = smooth(scene, &how, progress);
+        let certificate = certified(scene, &light, ask, progress);
+        passes.push(Pass {
+            resolution: how,
+            patches: light.patches,
+            elements: light.mesh.elements.len(),
+            hemicubes: light.hemicubes,
+            certificate,
+        });
+        let converged = certificate.high <= ask.tolerance;
+        let finer = (0.75 * ask.tolerance / certificate.high).clamp(0.4, 0.8);
+        let patches = light.patches as f64 / finer;
+        let refined = light.mesh.elements.len() < ask.most_elements;
+        let possible = patches <= ask.most_patches as f64 && refined;
+        if converged || !possible || passes.len() == MOST_PASSES {
+            return (solution(scene, light, certificate, converged), passes);
+        }
+        how = Resolution {
+            patch: finer.sqrt() * how.patch,
+            direct: finer * how.direct,
+            reflected: finer * how.reflected,
+            hemicube: (how.hemicube as f64 * finer.sqrt().recip()) as u32 / 2 * 2,
+            ..how
+        };
+    }
+}
+
+/// More rays are cast, up to this many times as many, when only chance is in doubt.
+const MOST_RAYS: usize = 16;
+
+fn certified(
+    scene: &Scene,
+    light: &Smooth,
+    ask: &Ask,
+    progress: Progress,
+) -> Certificate {
+    let enclosure = Enclosure::of(scene, &light.mesh);
+    let field = |id: ElementId, x: DVec3| {
+        let k = id.0 as usize;
+        let h = light.mesh.value_at(light.mesh.element(id), x, &light.irradiance);
+        enclosure.emission[k] + enclosure.reflectance[k] * h
+    };
+    let usual = Sampling { seed: ask.seed, ..Sampling::default() };
+    let mut more = 1;
+    loop {
+        progress("certifying", more - 1, MOST_RAYS);
+        let sampling = Sampling { points: more * usual.points, ..usual };
+        let certificate = certify(scene, &light.mesh, &field, sampling);
+        let in_doubt = certificate.high > ask.tolerance
+            && certificate.error <= 0.75 * ask.tolerance;
+        if !in_doubt || more == MOST_RAYS {
+            progress("certifying", MOST_RAYS, MOST_RAYS);
+            return certificate;
+        }
+        more *= 4;
+    }
+}
+
+fn solution(
+    scene: &Scene,
+    light: Smooth,
+    certificate: Certificate,
+    converged: bool,
+) -> Solution {
+    let Smooth { mesh, patches, irradiance: of_vertices, .. } = light;
+    let Enclosure { emission, reflectance, .. } = Enclosure::of(scene, &mesh);
+    let mut vertex_radiosity = vec![Rgb::ZERO; mesh.vertices.len()];
+    for (k, element) in mesh.elements.iter().enumerate() {
+        for corner in element.corners.iter().map(|c| c.0 as usize) {
+            vertex_radiosity[corner] =
+                emission[k] + reflectance[k] * of_vertices[corner];
+        }
+    }
+    let irradiance = mesh.element_means(&of_vertices);
+    let radiosity: Vec<Rgb> = (0..irradiance.len())
+        .map(|k| emission[k] + reflectance[k] * irradiance[k])
+        .collect();
+    Solution {
+        patches,
+        displayed: radiosity.clone(),
+        radiosity,
+        irradiance,
+        vertex_radiosity,
+        mesh,
+        ledger: light.ledger,
+        solver_residual: light.solver_residual,
+        steps: light.rounds,
+        certificate,
+        converged,
+    }
+}

@@ -61,7 +61,7 @@ pub fn compute(scene: &Scene, wanted: &Wanted, terminal: &Terminal) -> FaceMatri
     let (mesh, areas) = (Mesh::whole(scene), scene.face_areas());
     let faces = Faces { scene, mesh, areas, terminal };
     match wanted.method {
-        FactorMethod::Analytic => faces.analytic(wanted),
+        FactorMethod::Auto | FactorMethod::Analytic => faces.analytic(wanted),
         FactorMethod::Hemicube => faces.hemicube(wanted),
         FactorMethod::Sampling => faces.sampling(wanted),
     }

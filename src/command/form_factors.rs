@@ -29,7 +29,7 @@ pub struct FormFactors {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// How they are computed
-    #[arg(long, value_enum, default_value_t = FactorMethod::Analytic)]
+    #[arg(long, value_enum, default_value_t = FactorMethod::Auto)]
     method: FactorMethod,
     /// The absolute error of a factor that is aimed at, as 1e-4 or 0.01%
     #[arg(long, default_value = "1e-4", value_parser = values::tolerance)]

@@ -59,7 +59,7 @@ pub struct Render {
     #[arg(long, value_enum, default_value_t = What::Color)]
     view: What,
     /// The largest relative error of the field asked for, as 0.01 or 1%
-    #[arg(long, default_value = "5%", value_parser = values::tolerance)]
+    #[arg(long, default_value = "1%", value_parser = values::tolerance)]
     #[arg(allow_hyphen_values = true)]
     tolerance: f64,
 }
@@ -128,7 +128,7 @@ impl Render {
             fov: None,
             exposure: Exposure::Auto,
             view: What::Color,
-            tolerance: 0.05,
+            tolerance: 0.01,
         })
     }
 
@@ -143,16 +143,16 @@ impl Render {
         let Passes::Radiosity = self.method;
         let how = How {
             tolerance: self.tolerance,
-            form_factors: FactorMethod::Hemicube,
+            form_factors: FactorMethod::Auto,
             samples: None,
-            method: SolverMethod::Shoot,
+            method: SolverMethod::Auto,
         };
-        let options = how.options(seed)?;
+        let way = how.way(seed)?;
         let scene = self.source.load(terminal)?;
         let camera = self.camera(scene.camera)?;
 
         let start = Instant::now();
-        let solution = solved(&scene, &options, terminal)?;
+        let solution = solved(&scene, &way, terminal)?;
         terminal.progress("drawing", 0, 1);
         let shot = Shot { camera, width, height, samples: SAMPLES };
         let picture = match (self.view, self.shading) {
@@ -171,7 +171,7 @@ impl Render {
         write(&self.output, &bytes)?;
 
         let clamped = picture.clamped_share(exposure);
-        let mut text = report::text(&scene, &solution, options.tolerance, seconds);
+        let mut text = report::text(&scene, &solution, self.tolerance, seconds);
         text += &format!(
             "picture: {}, {width}x{height}, exposure {exposure:.4}, {} of the pixels are \
              clamped\n",
@@ -188,7 +188,7 @@ impl Render {
             );
         }
         terminal.report(&text, || {
-            let mut object = report::json_timed(&solution, options.tolerance, seconds);
+            let mut object = report::json_timed(&solution, self.tolerance, seconds);
             object["file"] = json!(self.output);
             object["size"] = json!([width, height]);
             object["exposure"] = json!(exposure);

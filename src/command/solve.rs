@@ -4,7 +4,9 @@ use super::output::{Refusal, Terminal, check_writable, extension, write};
 use super::{Source, report, tables, values};
 use clap::{Args, ValueEnum};
 use radiosity::scene::Scene;
-use radiosity::solve::{self, Factors, Method, Options, Solution};
+use radiosity::solve::{
+    self, Ask, Factors, Method, Options, Solution, automatic, resolution_for,
+};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -83,22 +85,41 @@ const RESOLUTION: u32 = 256;
 /// A solution keeps up to the square of this many form factors, 8 bytes each.
 const MOST_SURFACES: usize = 16_000;
 
+/// What is to be done, when all options make sense.
+pub enum Way {
+    /// What the scene needs.
+    Planned(Ask),
+    /// What was asked for, on a mesh of even fineness.
+    Fixed(Options),
+}
+
 impl How {
-    /// The options of the library, if they make sense.
-    pub fn options(&self, seed: u64) -> Result<Options, Refusal> {
+    /// The way that the options describe, if they make sense.
+    pub fn way(&self, seed: u64) -> Result<Way, Refusal> {
         let tolerance = values::positive("--tolerance", self.tolerance)?;
         let rays = samples(self.samples, self.form_factors)?.unwrap_or(RAYS);
+        let method = match (self.method, self.form_factors) {
+            (SolverMethod::Auto, FactorMethod::Auto) => {
+                return Ok(Way::Planned(Ask { tolerance, seed, ..Ask::default() }));
+            }
+            (SolverMethod::Gather, _) => Method::Gather,
+            (SolverMethod::Hierarchy, _) => Method::Hierarchy,
+            (SolverMethod::Auto | SolverMethod::Shoot, _) => Method::Shoot,
+        };
         let factors = match self.form_factors {
             FactorMethod::Analytic => Factors::Analytic,
             FactorMethod::Sampling => Factors::Sampling(rays),
-            FactorMethod::Hemicube => Factors::Hemicube(RESOLUTION),
+            FactorMethod::Auto | FactorMethod::Hemicube => {
+                Factors::Hemicube(RESOLUTION)
+            }
         };
-        let method = match self.method {
-            SolverMethod::Gather => Method::Gather,
-            SolverMethod::Shoot => Method::Shoot,
-            SolverMethod::Hierarchy => Method::Hierarchy,
-        };
-        Ok(Options { method, factors, tolerance, seed, ..Options::default() })
+        Ok(Way::Fixed(Options {
+            method,
+            factors,
+            tolerance,
+            seed,
+            ..Options::default()
+        }))
     }
 }
 
@@ -121,7 +142,7 @@ pub fn samples(
 /// Solves `scene`, if it can be solved.
 pub fn solved(
     scene: &Scene,
-    options: &Options,
+    way: &Way,
     terminal: &Terminal,
 ) -> Result<Solution, Refusal> {
     let name = &scene.name;
@@ -138,9 +159,14 @@ pub fn solved(
              fewer, larger faces"
         )));
     }
-    Ok(solve::solve(scene, options, &|what, done, all| {
-        terminal.progress(what, done, all)
-    }))
+    let progress = |what: &'static str, done, all| terminal.progress(what, done, all);
+    Ok(match way {
+        Way::Planned(ask) => {
+            let first = resolution_for(scene, ask.tolerance);
+            automatic(scene, first, ask, &progress).0
+        }
+        Way::Fixed(options) => solve::solve(scene, options, &progress),
+    })
 }
 
 impl Solve {
@@ -154,22 +180,23 @@ impl Solve {
             }
             None => None,
         };
-        let options = self.how.options(seed)?;
+        let way = self.how.way(seed)?;
         let scene = self.source.load(terminal)?;
         let start = Instant::now();
-        let solution = solved(&scene, &options, terminal)?;
+        let solution = solved(&scene, &way, terminal)?;
         let seconds = start.elapsed().as_secs_f64();
-        let mut text = report::text(&scene, &solution, options.tolerance, seconds);
+        let mut text = report::text(&scene, &solution, self.how.tolerance, seconds);
         if let Some((path, kind)) = file {
             let content = match kind {
                 "csv" => tables::csv(&scene, &solution),
                 "ply" => tables::ply(&solution),
-                _ => tables::json(&scene, &solution, options.tolerance),
+                _ => tables::json(&scene, &solution, self.how.tolerance),
             };
             write(path, content.as_bytes())?;
             text += &format!("written: {}\n", path.display());
         }
-        terminal
-            .report(&text, || report::json_timed(&solution, options.tolerance, seconds))
+        terminal.report(&text, || {
+            report::json_timed(&solution, self.how.tolerance, seconds)
+        })
     }
 }

@@ -205,6 +205,7 @@ fn by_links(scene: &Scene, options: &Options, progress: Progress) -> Solution {
         let converged = certificate.high <= options.tolerance;
         if converged || mesh.elements.len() >= asked.most_elements {
             return Solution {
+                patches: mesh.elements.len(),
                 mesh,
                 displayed: radiosity.clone(),
                 radiosity,

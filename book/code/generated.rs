@@ -1,7 +1,9 @@
 //! The files of the book that a program writes; `tests/book.rs` fails when one is stale.
 
 use crate::hemicube::{cost, ledger, section, sheet, table, view};
-use crate::{equation, factors, lecture_map, light, pipeline, shooting, surface};
+use crate::{
+    certificate, equation, factors, lecture_map, light, pipeline, shooting, surface,
+};
 use std::path::{Path, PathBuf};
 
 /// The folder of the package `book`.
@@ -32,6 +34,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(surface::files());
     files.extend(equation::files());
     files.extend(pipeline::files());
+    files.extend(certificate::files());
     files.extend(factors::files());
     files.extend(shooting::files());
     let src = root().join("src");

@@ -16,6 +16,7 @@
 //! | [`factors`]     | figures and numbers of the chapter on form factors           |
 //! | [`surface`]     | figures and numbers of the chapters L04 and L05              |
 //! | [`shooting`]    | figures and numbers of the chapters on shooting, L13 and L14 |
+//! | [`certificate`] | figures and numbers of *How wrong is it?*                     |
 //! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //!
@@ -23,6 +24,7 @@
 //! `cargo run -p book --bin check -- book/book` runs those over the built book.
 #![forbid(unsafe_code)]
 
+pub mod certificate;
 pub mod chart;
 pub mod cornell;
 pub mod equation;
@@ -56,6 +58,7 @@ mod pages {
         brdf: "brdf.md",
         albedo: "albedo.md",
         radiosity_equation: "radiosity-equation.md",
+        how_wrong: "how-wrong.md",
         form_factors: "form-factors.md",
         pipeline: "pipeline.md",
         hemicube: "hemicube.md",
@@ -69,6 +72,7 @@ mod pages {
         labs_sampling: "labs/sampling.md",
         labs_hemicube: "labs/hemicube.md",
         labs_shoot: "labs/shoot.md",
+        labs_certify: "labs/certify.md",
         notation: "notation.md",
         bibliography: "bibliography.md",
         lecture_map: "lecture-map.md",

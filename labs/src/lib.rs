@@ -40,6 +40,7 @@ pub mod lambert;
 pub mod sampling;
 pub mod hemicube;
 pub mod shoot;
+pub mod certify;
 
 pub use check::{Bug, Verdict};
 pub use lab::{Lab, Who};
@@ -54,4 +55,5 @@ pub const LABS: &[&Lab] = &[
     &sampling::LAB,
     &hemicube::LAB,
     &shoot::LAB,
+    &certify::LAB,
 ];

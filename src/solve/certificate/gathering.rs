@@ -26,12 +26,14 @@ pub(super) struct Point {
 }
 
 impl Point {
+    // ANCHOR: arriving
     /// `ρ H`, as gather `set` has it, of what is `of_strata`.
     pub fn arriving(&self, set: usize, of_strata: &[Rgb]) -> Rgb {
         let met = self.met[set].iter().filter(|&&h| h != NONE);
         let sum: Rgb = met.map(|&h| of_strata[h as usize]).sum();
         self.reflectance * sum / self.met[set].len() as f64
     }
+    // ANCHOR_END: arriving
 }
 
 /// The scene, ready for gathers.
@@ -64,8 +66,8 @@ impl<'a> Gathering<'a> {
     }
 
     fn points(&self, h: usize) -> Vec<Point> {
-        let places = Stream::named(self.sampling.seed, &[h as u64]);
-        let places = places.clone().points(self.strata.points[h]);
+        let mut random = Stream::named(self.sampling.seed, &[h as u64]);
+        let places = random.points(self.strata.points[h]);
         places.enumerate().map(|(k, place)| self.point(h, k, place)).collect()
     }
 
@@ -76,12 +78,14 @@ impl<'a> Gathering<'a> {
             (self.enclosure.emission[element], self.enclosure.reflectance[element]);
         let direct = self.direct.on(&piece.polygon).irradiance(x);
         let b = (self.field)(ElementId(piece.element), x);
+        // ANCHOR: residual
         let gather = |set: u64| {
             let name = [h as u64, k as u64, set];
             self.indirect(&piece.polygon, x, Stream::named(self.sampling.seed, &name))
         };
         let [(first, met_first), (second, met_second)] = [gather(1), gather(2)];
         let residual = |indirect: Rgb| e + rho * (direct + indirect) - b;
+        // ANCHOR_END: residual
         Point {
             stratum: h as u32,
             element: piece.element,

@@ -49,12 +49,14 @@ impl Norm {
             sum += area * mean;
             variance += area * area * off / ((n - 1.0) * n);
         }
+        // ANCHOR: interval
         let noise = means.noise[c];
         sum = (sum - noise).max(0.0);
         variance += noise * (4.0 * sum + 2.0 * noise);
         let width = QUANTILE * variance.sqrt();
         let root = |x: f64| x.max(0.0).sqrt();
         Norm { likely: root(sum), low: root(sum - width), high: root(sum + width) }
+        // ANCHOR_END: interval
     }
 
     /// The bounds moved apart by what the noise does not tell: that of the norm of the

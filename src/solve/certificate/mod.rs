@@ -75,7 +75,7 @@ pub struct Sampling {
 
 impl Default for Sampling {
     fn default() -> Sampling {
-        Sampling { points: 1600, rays: 128, seed: 0 }
+        Sampling { points: 3200, rays: 64, seed: 0 }
     }
 }
 
@@ -109,6 +109,7 @@ pub fn audit(scene: &Scene, mesh: &Mesh, field: Field, sampling: Sampling) -> Au
     let points = Gathering::new(scene, &enclosure, &strata, field, sampling).all();
     let exchange = Exchange::of(&strata, &enclosure, &points);
     let means = exchange.errors(&points, sampling.seed);
+    // ANCHOR: products
     let pairs = |of: &dyn Fn(&Point, usize) -> Rgb| -> Vec<Rgb> {
         points.iter().map(|p| of(p, 0) * of(p, 1)).collect()
     };
@@ -116,6 +117,7 @@ pub fn audit(scene: &Scene, mesh: &Mesh, field: Field, sampling: Sampling) -> Au
     let error_at = |p: &Point, set| p.residual[set] + p.arriving(set, &means.error);
     let of_error = pairs(&error_at);
     let of_truth = pairs(&|p, set| p.reflected + error_at(p, set));
+    // ANCHOR_END: products
     let mut certificate =
         Certificate { error: 0.0, low: 0.0, high: 0.0, confidence: CONFIDENCE };
     for c in 0..3 {

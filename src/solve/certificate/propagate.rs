@@ -98,6 +98,7 @@ impl Exchange {
             if rest.cmple(SETTLED * norm(&error)).all() {
                 break;
             }
+            // ANCHOR: sweep
             let ambient = self.power(|h| missing[h]) / lost;
             let ambient = ambient.map(|a| if a.is_finite() { a } else { 0.0 });
             for h in 0..error.len() {
@@ -106,6 +107,7 @@ impl Exchange {
             for h in 0..error.len() {
                 error[h] = residual[h] + self.arriving(h, &error);
             }
+            // ANCHOR_END: sweep
         }
         (error, rest)
     }

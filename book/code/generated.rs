@@ -36,6 +36,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(pipeline::files());
     files.extend(certificate::files());
     files.extend(factors::files());
+    files.extend(crate::solving::files());
     files.extend(shooting::files());
     let src = root().join("src");
     files.into_iter().map(|(name, text)| (src.join(name), text)).collect()

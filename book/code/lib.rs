@@ -17,6 +17,7 @@
 //! | [`surface`]     | figures and numbers of the chapters L04 and L05              |
 //! | [`shooting`]    | figures and numbers of the chapters on shooting, L13 and L14 |
 //! | [`certificate`] | figures and numbers of *How wrong is it?*                     |
+//! | [`solving`]     | figures and numbers of the chapter *Solving it*              |
 //! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //!
@@ -38,6 +39,7 @@ pub mod light;
 pub mod map;
 pub mod pipeline;
 pub mod shooting;
+pub mod solving;
 pub mod source;
 pub mod surface;
 pub mod timing;
@@ -73,6 +75,7 @@ mod pages {
         labs_hemicube: "labs/hemicube.md",
         labs_shoot: "labs/shoot.md",
         labs_certify: "labs/certify.md",
+        solving: "solving.md",
         notation: "notation.md",
         bibliography: "bibliography.md",
         lecture_map: "lecture-map.md",

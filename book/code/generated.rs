@@ -2,7 +2,8 @@
 
 use crate::hemicube::{cost, ledger, section, sheet, table, view};
 use crate::{
-    certificate, equation, factors, lecture_map, light, pipeline, shooting, surface,
+    certificate, equation, factors, lecture_map, light, links, pipeline, shooting,
+    surface,
 };
 use std::path::{Path, PathBuf};
 
@@ -38,6 +39,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(factors::files());
     files.extend(crate::solving::files());
     files.extend(shooting::files());
+    files.extend(links::files());
     let src = root().join("src");
     files.into_iter().map(|(name, text)| (src.join(name), text)).collect()
 }

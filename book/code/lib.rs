@@ -11,6 +11,7 @@
 //! | [`map`]         | a number for each pixel, in false colour                     |
 //! | [`ledger`]      | where the light went, as a table                             |
 //! | [`light`]       | figures and numbers of the chapters L01 to L03               |
+//! | [`links`]       | figures and numbers of the page on hierarchical links        |
 //! | [`equation`]    | figures and numbers of *The radiosity equation*              |
 //! | [`pipeline`]    | figures and numbers of *The pipeline*                        |
 //! | [`factors`]     | figures and numbers of the chapter on form factors           |
@@ -36,6 +37,7 @@ pub mod html;
 pub mod ledger;
 pub mod lecture_map;
 pub mod light;
+pub mod links;
 pub mod map;
 pub mod pipeline;
 pub mod shooting;
@@ -64,6 +66,7 @@ mod pages {
         form_factors: "form-factors.md",
         pipeline: "pipeline.md",
         hemicube: "hemicube.md",
+        hierarchy: "hierarchy.md",
         progressive_refinement: "progressive-refinement.md",
         only_what_shines: "only-what-shines.md",
         labs_solid_angle: "labs/solid-angle.md",

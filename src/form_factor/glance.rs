@@ -54,13 +54,13 @@ const EXACT: f64 = 1e-6;
 /// One point: where, its share of the area, the factor there.
 type Sample = (DVec3, f64, f64);
 
-// ANCHOR: glance
 /// Looks from a polygon to the front of another. `sight` is what is known beforehand:
 /// pieces of two polygons that see each other freely do so too.
 pub fn glance(from: &Polygon, to: &Polygon, scene: &Blockers, sight: Sight) -> Glance {
     if sight == Sight::Hidden || !face(from, to) {
         return Glance::default();
     }
+    // ANCHOR: glance_sight
     let between = match sight {
         Sight::Free => Vec::new(),
         _ => scene.between(from, to),
@@ -68,7 +68,7 @@ pub fn glance(from: &Polygon, to: &Polygon, scene: &Blockers, sight: Sight) -> G
     if between.iter().any(|blocker| blocker.hides_all(from, to)) {
         return Glance::default();
     }
-    // ANCHOR_END: glance
+    // ANCHOR_END: glance_sight
     let (normal, area) = (from.normal(), from.area());
     let mut samples: SmallVec<[Sample; 9]> = SmallVec::new();
     let (mut open, mut all, mut none) = (0.0, true, true);

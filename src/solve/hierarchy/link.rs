@@ -117,7 +117,6 @@ pub(super) fn reflecting(node: &Node) -> Rgb {
 }
 
 impl Allowed {
-    // ANCHOR: judge
     /// Judges a link: at the receiver it may be bent, at the source the light uneven.
     pub(super) fn judge(
         &self,
@@ -129,11 +128,13 @@ impl Allowed {
         let (node, source) = (forest.node(receiver), forest.node(link.source));
         let weight = reflecting(node) * self.scale;
         let light = (weight * forest.radiosity(link.source)).max_element();
+        // ANCHOR: verdict
         let most = (SHARE_OF_NODE * self.element(node)).max(SHARE * self.error);
         let bent = light * f64::from(link.bend) / most;
         let uneven = (weight * forest.unevenness(link.source)).max_element();
         let matters = SHARE * self.error / uneven;
         let spread = link.source_spread(node, source, scene, matters) / matters;
+        // ANCHOR_END: verdict
         let divisible = !node.is_leaf() || node.is_divisible(self.smallest);
         if bent > 1.0 && bent > spread && divisible {
             Verdict::DivideReceiver(bent)
@@ -143,14 +144,12 @@ impl Allowed {
             Verdict::Keep
         }
     }
-    // ANCHOR_END: judge
 
     /// The relative error allowed to a node for itself: its share of `ε²` in the square.
     fn element(&self, node: &Node) -> f64 {
         self.error * self.error * (self.area / node.polygon.area()).sqrt()
     }
 
-    // ANCHOR: varies
     /// By how many times too much the light varies over an element; 0 when it cannot be
     /// divided.
     pub(super) fn varies(&self, forest: &Forest, id: NodeId) -> f64 {
@@ -168,5 +167,4 @@ impl Allowed {
         let spread = Rgb::from_array(mean.to_array().map(f64::sqrt));
         (reflecting(node) * self.scale * spread).max_element() / self.element(node)
     }
-    // ANCHOR_END: varies
 }

@@ -185,7 +185,6 @@ impl Hierarchy {
         pairs.into_par_iter().filter_map(link).collect()
     }
 
-    // ANCHOR: refine
     /// Divides until no link may be wrong by more than the relative `error` allows, and
     /// then elements over which light varies too much; says how many links were replaced.
     pub fn refine(&mut self, error: f64) -> usize {
@@ -217,7 +216,6 @@ impl Hierarchy {
         }
         replaced + self.refine_elements(&allowed)
     }
-    // ANCHOR_END: refine
 
     /// Divides elements over which light varies too much; says how many.
     fn refine_elements(&mut self, allowed: &Allowed) -> usize {
@@ -290,10 +288,10 @@ impl Hierarchy {
         nodes.filter(|(_, node)| node.is_leaf())
     }
 
-    // ANCHOR: gather
     /// What arrives over all links, from the radiosities as they are.
     fn gather(&mut self) {
         let Forest { nodes, light, .. } = &mut self.forest;
+        // ANCHOR: gather_link
         let arrives = |node: &Node| {
             let mut sum = (Rgb::ZERO, DMat3::ZERO);
             for link in &node.links {
@@ -302,10 +300,10 @@ impl Hierarchy {
             }
             sum
         };
+        // ANCHOR_END: gather_link
         (light.irradiance, light.slope) = nodes.par_iter().map(arrives).unzip();
         self.forest.push();
     }
-    // ANCHOR_END: gather
 
     /// Sweeps until the solver's own relative error is below `accuracy`, as far as rows
     /// sum to one: what they do not is an error of links, not of the solver.

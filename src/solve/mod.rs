@@ -42,6 +42,7 @@ mod smooth;
 mod solution;
 mod solver;
 mod substructure;
+mod unbiased;
 
 pub use auto::{Ask, Pass, automatic, resolution_for};
 pub use certificate::{Audit, Certificate, Sampling, audit, certify};
@@ -56,6 +57,7 @@ pub use smooth::{Resolution, Smooth, smooth};
 pub use solution::{Factors, Method, Options, Progress, Solution, solve, solve_on};
 pub use solver::{Outcome, Solver, Step, contraction, error_bound};
 pub use substructure::{OnElements, Oracle, Sees, Substructure};
+pub use unbiased::{Gathered, gather_unbiased};
 
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;

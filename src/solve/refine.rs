@@ -47,6 +47,12 @@ pub(super) struct Refinement<'a> {
     pub most: usize,
 }
 
+/// Splitting what makes up half of the error should take away a third of it. When what is
+/// left is more than this share of the least so far, so many times in a row, then what is
+/// split is noise, which does not fall.
+const NO_GAIN: f64 = 0.9;
+const IN_VAIN: usize = 2;
+
 /// No element is split whose area is a smaller share of the scene's.
 const SMALLEST: f64 = 1e-9;
 
@@ -67,6 +73,7 @@ impl Refinement<'_> {
         let total: f64 = mesh.polygons().map(|p| p.area()).sum();
         self.ask_vertices(&mesh, &mut asked, &mut light);
         let mut known: HashMap<[u32; 3], f64> = HashMap::new();
+        let (mut least, mut in_vain) = (f64::INFINITY, 0);
         loop {
             let name = |e: &Element| [0, 1, 2].map(|k| e.corners[k].0);
             let new: Vec<usize> = (0..mesh.elements.len())
@@ -80,7 +87,10 @@ impl Refinement<'_> {
             let mut errors: Vec<(f64, usize)> =
                 (0..).zip(&mesh.elements).map(|(k, e)| (known[&name(e)], k)).collect();
             let sum: f64 = errors.iter().map(|e| e.0).sum();
-            if sum <= self.target * self.target || mesh.elements.len() >= self.most {
+            in_vain = if sum > NO_GAIN * least { in_vain + 1 } else { 0 };
+            least = sum.min(least);
+            let enough = sum <= self.target * self.target || in_vain == IN_VAIN;
+            if enough || mesh.elements.len() >= self.most {
                 return (mesh, light);
             }
             errors.retain(|&(_, k)| mesh.elements[k].polygon.area() > SMALLEST * total);

@@ -79,6 +79,10 @@ const INSIDE: f64 = 0.2;
 /// For direct light it suffices not to lie on the rim itself.
 const JUST_INSIDE: f64 = 1e-4;
 
+/// Reflected light is smooth: more elements than this for each patch would resolve what
+/// hemicubes get wrong.
+const MOST_SPLIT: usize = 8;
+
 /// Rounds of the solver at the most.
 const MOST_ROUNDS: usize = 1000;
 
@@ -126,7 +130,7 @@ pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
         inside: INSIDE,
         scale,
         target: how.reflected,
-        most: how.most_elements,
+        most: how.most_elements.min(MOST_SPLIT * patches.elements.len()),
     }
     .run_from(patches.clone(), system.places(), reflected.clone());
 

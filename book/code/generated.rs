@@ -2,8 +2,8 @@
 
 use crate::hemicube::{cost, ledger, section, sheet, table, view};
 use crate::{
-    certificate, equation, factors, lecture_map, light, links, pipeline, shooting,
-    surface,
+    certificate, equation, factors, lecture_map, light, links, patches, pipeline,
+    shooting, surface,
 };
 use std::path::{Path, PathBuf};
 
@@ -38,6 +38,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(certificate::files());
     files.extend(factors::files());
     files.extend(crate::solving::files());
+    files.extend(patches::files());
     files.extend(shooting::files());
     files.extend(links::files());
     let src = root().join("src");

@@ -161,16 +161,30 @@ pub const ROWS: [Row; 23] = [
             lab: Some("labs/hemicube.md"),
         }),
     },
-    planned(
-        "substructuring: split near lights and at shadow boundaries",
-        "Substructuring: where to split",
-        true,
-    ),
-    planned(
-        "substructuring: factors from elements to patches; cost O(mn)",
-        "Substructuring: patches and elements",
-        true,
-    ),
+    Row {
+        topic: "substructuring: split near lights and at shadow boundaries",
+        title: "Patches and elements",
+        lab: true,
+        state: State::Done(Written {
+            page: "patches-and-elements.md",
+            module: "src/mesh/split.rs",
+            figure: "pictures/patches-round-2.snap.png",
+            test: ("tests/substructure.rs", "the_oracle_marks_shadow_edges_and_stops"),
+            lab: Some("labs/substructure.md"),
+        }),
+    },
+    Row {
+        topic: "substructuring: factors from elements to patches; cost O(mn)",
+        title: "Patches and elements",
+        lab: true,
+        state: State::Done(Written {
+            page: "patches-and-elements.md",
+            module: "src/solve/substructure.rs",
+            figure: "pictures/patches-round-0.snap.png",
+            test: ("tests/substructure.rs", "a_patch_is_the_mean_of_its_elements"),
+            lab: Some("labs/substructure.md"),
+        }),
+    },
     Row {
         topic: "progressive solution: shoot from the brightest element",
         title: "Progressive refinement",

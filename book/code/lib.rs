@@ -21,6 +21,7 @@
 //! | [`solving`]     | figures and numbers of the chapter *Solving it*              |
 //! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
+//! | [`patches`]     | figures and numbers of the chapter on substructuring         |
 //!
 //! `cargo test -p book` runs the gates over the sources and every example of every page;
 //! `cargo run -p book --bin check -- book/book` runs those over the built book.
@@ -39,6 +40,7 @@ pub mod lecture_map;
 pub mod light;
 pub mod links;
 pub mod map;
+pub mod patches;
 pub mod pipeline;
 pub mod shooting;
 pub mod solving;
@@ -66,6 +68,7 @@ mod pages {
         form_factors: "form-factors.md",
         pipeline: "pipeline.md",
         hemicube: "hemicube.md",
+        patches_and_elements: "patches-and-elements.md",
         hierarchy: "hierarchy.md",
         progressive_refinement: "progressive-refinement.md",
         only_what_shines: "only-what-shines.md",
@@ -76,6 +79,7 @@ mod pages {
         labs_lambert: "labs/lambert.md",
         labs_sampling: "labs/sampling.md",
         labs_hemicube: "labs/hemicube.md",
+        labs_substructure: "labs/substructure.md",
         labs_shoot: "labs/shoot.md",
         labs_certify: "labs/certify.md",
         solving: "solving.md",

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::PathBuf;
 
 /// How many examples the pages run. Raise it with each new one; it never falls.
-const EXAMPLES: usize = 58;
+const EXAMPLES: usize = 61;
 
 fn src(page: &str) -> PathBuf {
     generated::root().join("src").join(page)
@@ -71,8 +71,13 @@ fn the_summary_follows_the_lecture() {
     let entries = entries();
     let mut chapters =
         entries.iter().filter(|entry| ROWS.iter().any(|row| row.title == entry.title));
+    let mut before: Option<&Entry> = None;
     for row in &ROWS {
-        let entry = chapters.next().unwrap_or_else(|| panic!("{}: missing", row.title));
+        // Rows of one title share a page.
+        let shared = before.filter(|entry| entry.title == row.title);
+        let entry = shared.or_else(|| chapters.next());
+        before = entry;
+        let entry = entry.unwrap_or_else(|| panic!("{}: missing", row.title));
         assert_eq!(entry.title, row.title, "chapters are not in the lecture's order");
         let page = match &row.state {
             State::Planned => None,

@@ -39,6 +39,7 @@ pub mod gather;
 pub mod lambert;
 pub mod sampling;
 pub mod hemicube;
+pub mod substructure;
 pub mod shoot;
 pub mod certify;
 
@@ -54,6 +55,7 @@ pub const LABS: &[&Lab] = &[
     &lambert::LAB,
     &sampling::LAB,
     &hemicube::LAB,
+    &substructure::LAB,
     &shoot::LAB,
     &certify::LAB,
 ];

@@ -33,7 +33,8 @@ use std::collections::HashMap;
 /// What an element sees: writes to `row[q]` the form factor from the element to patch `q`,
 /// and returns what reaches no front.
 ///
-/// Any method will do that can ask from a place of its own; see [`Substructure::new`].
+/// Any method will do that can ask from a place of its own; see [`Substructure::new`]. What
+/// it says of the element's own patch does not count: that is 0.
 pub type Sees<'a> = dyn Fn(&Element, &mut [f64]) -> Lost + Sync + 'a;
 
 /// Patches that send, divided into elements that receive.
@@ -92,12 +93,12 @@ impl<'a> Substructure<'a> {
         self.computed * self.mesh.patches.len()
     }
 
-    // ANCHOR: split
     /// Splits elements as [`Mesh::split`] does. Only the new ones have to look around: the
     /// rows of all others are kept.
     ///
     /// # Panics
     /// When there is not one mark for each element.
+    // ANCHOR: split
     pub fn split(&mut self, marked: &[bool]) {
         let finer = self.mesh.split(marked);
         let old = std::mem::replace(&mut self.mesh, finer);
@@ -117,15 +118,16 @@ impl<'a> Substructure<'a> {
             Some(row) => row.clone(),
             None => {
                 let lost = (self.sees)(e, buffer);
+                buffer[e.patch.0 as usize] = 0.0; // what is flat does not see itself
                 Row::of(buffer, lost)
             }
         };
         self.mesh.elements.par_iter().map_init(|| vec![0.0; m], row).collect()
     }
 
-    // ANCHOR: patch_factors
     /// `F_pq`: the mean of what the elements of patch `p` see, by their areas.
     pub fn patch_factors(&self) -> Matrix {
+        // ANCHOR: patch_factors
         let row = |patch: &Patch| {
             let mut mean = vec![0.0; self.mesh.patches.len()];
             let mut lost = Lost::default();
@@ -137,8 +139,8 @@ impl<'a> Substructure<'a> {
             Row::of(&mean, lost)
         };
         Matrix::from_rows(self.mesh.patches.iter().map(row).collect())
+        // ANCHOR_END: patch_factors
     }
-    // ANCHOR_END: patch_factors
 
     /// The share `A_e/A_p` of each element in its patch, and its row.
     fn shares(&self, patch: &Patch) -> impl Iterator<Item = (f64, &Row)> {
@@ -168,15 +170,16 @@ impl<'a> Substructure<'a> {
     }
     // ANCHOR_END: gather
 
-    // ANCHOR: solve
     /// Solves the patches' equations to this `accuracy` ([`Outcome::bound`]), and gathers
     /// from them once.
     pub fn solve(&self, accuracy: f64) -> OnElements {
+        // ANCHOR: solve
         let (patches, factors) = (self.patches(), self.patch_factors());
         let mut solver = GaussSeidel::new(&patches, &factors);
         let outcome =
             solver.run(contraction(&patches, &factors), accuracy, MOST_SWEEPS);
         let irradiance = self.gather(solver.radiosity());
+        // ANCHOR_END: solve
         let Enclosure { emission, reflectance, .. } =
             Enclosure::of(self.scene, &self.mesh);
         let reflected = reflectance.iter().zip(&irradiance).map(|(rho, h)| rho * h);
@@ -184,7 +187,6 @@ impl<'a> Substructure<'a> {
         let patches = solver.radiosity().to_vec();
         OnElements { patches, irradiance, radiosity, outcome }
     }
-    // ANCHOR_END: solve
 }
 
 /// A thousand sweeps settle reflectances up to .99.
@@ -199,7 +201,7 @@ const MOST_SWEEPS: usize = 1000;
 /// ```
 /// Light that rises evenly by `Δ` over an element is off from its mean by `Δ/√12`, root mean
 /// square. When none of the `n` elements has more than its share of the error that is
-/// allowed, the whole is within it; and for so many elements no other sizes do better.
+/// allowed, the whole is within it; and equal shares are the best use of so many elements.
 /// `Δ` is looked for twice: between the element's value and those of its corners, each the
 /// mean of the elements about it (*gradient*); and, where something may hide a lamp, in the
 /// exact light of the lamps at its corners and its middle (*visibility*).
@@ -245,9 +247,9 @@ fn rise(values: impl Iterator<Item = Rgb>) -> Rgb {
     high - low
 }
 
-// ANCHOR: lamps
 /// How much the lamps' own light changes over an element, W/m²; 0 where nothing can hide
 /// them: there the gradient says enough.
+// ANCHOR: lamps
 fn lamps_rise(direct: &Direct, element: &Element) -> Rgb {
     let (polygon, light) = (&element.polygon, direct.on(&element.polygon));
     if light.is_free() {

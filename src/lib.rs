@@ -19,6 +19,7 @@ pub mod visibility;
 pub mod form_factor;
 pub mod solve;
 pub mod film;
+pub mod plan;
 pub mod chart;
 
 /// What a chapter's example needs, in one `use`.

@@ -8,6 +8,7 @@
 //! | 130       | interrupted; no file is half written                                  |
 
 mod chart;
+mod explain;
 mod face_matrix;
 mod form_factors;
 mod output;
@@ -36,6 +37,7 @@ use std::process::ExitCode;
   radiosity scenes
   radiosity render l-room -o l-room.png --tolerance 5%
   radiosity solve room.obj -o room.csv --json
+  radiosity explain cornell --tolerance 1%
   radiosity form-factors room.obj -o room.npy
 
 SCENE is the name of a built-in scene or the path of an .obj file.
@@ -54,6 +56,7 @@ enum Verb {
     Solve(solve::Solve),
     FormFactors(form_factors::FormFactors),
     Render(Box<render::Render>),
+    Explain(explain::Explain),
     Chart(chart::Chart),
 }
 
@@ -106,6 +109,7 @@ fn perform(arguments: &Arguments, terminal: &Terminal) -> Result<(), Refusal> {
         Some(Verb::Solve(solve)) => solve.run(seed, terminal),
         Some(Verb::FormFactors(matrix)) => matrix.run(seed, terminal),
         Some(Verb::Render(render)) => render.run(seed, terminal),
+        Some(Verb::Explain(explain)) => explain.run(seed, terminal),
         Some(Verb::Chart(chart)) => chart.run(terminal),
         None => render::Render::cornell()?.run(seed, terminal),
     }

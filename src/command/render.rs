@@ -152,7 +152,7 @@ impl Render {
         let camera = self.camera(scene.camera)?;
 
         let start = Instant::now();
-        let solution = solved(&scene, &way, terminal)?;
+        let (solution, plan) = solved(&scene, &way, terminal)?;
         terminal.progress("drawing", 0, 1);
         let shot = Shot { camera, width, height, samples: SAMPLES };
         let picture = match (self.view, self.shading) {
@@ -188,7 +188,8 @@ impl Render {
             );
         }
         terminal.report(&text, || {
-            let mut object = report::json_timed(&solution, self.tolerance, seconds);
+            let mut object =
+                report::json_timed(&solution, &plan, self.tolerance, seconds);
             object["file"] = json!(self.output);
             object["size"] = json!([width, height]);
             object["exposure"] = json!(exposure);

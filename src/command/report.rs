@@ -11,10 +11,11 @@ pub fn rgb(value: Rgb) -> Value {
     json!(value.to_array())
 }
 
-/// The object that `--json` prints for a solution, but for its seconds.
+/// The object that `--json` prints for a solution and what was decided on the way, but
+/// for its seconds.
 ///
 /// A number that is infinite, such as an error that has no bound, is `null`.
-pub fn json(solution: &Solution, tolerance: f64) -> Value {
+pub fn json(solution: &Solution, plan: &[String], tolerance: f64) -> Value {
     let Certificate { error, low, high, confidence } = solution.certificate;
     let Ledger { emitted, absorbed, escaped, unshot, imbalance } = solution.ledger;
     json!({
@@ -33,14 +34,19 @@ pub fn json(solution: &Solution, tolerance: f64) -> Value {
             "unshot": rgb(unshot),
             "imbalance": rgb(imbalance),
         },
-        "plan": [],
+        "plan": plan,
     })
 }
 
 /// The same object with the seconds that it took, after the patches.
-pub fn json_timed(solution: &Solution, tolerance: f64, seconds: f64) -> Value {
+pub fn json_timed(
+    solution: &Solution,
+    plan: &[String],
+    tolerance: f64,
+    seconds: f64,
+) -> Value {
     let mut object = serde_json::Map::new();
-    if let Value::Object(entries) = json(solution, tolerance) {
+    if let Value::Object(entries) = json(solution, plan, tolerance) {
         for (key, value) in entries {
             if key == "tolerance" {
                 object.insert("seconds".into(), json!(seconds));

@@ -3,10 +3,9 @@
 use super::output::{Refusal, Terminal, check_writable, extension, write};
 use super::{Source, report, tables, values};
 use clap::{Args, ValueEnum};
+use radiosity::plan::Plan;
 use radiosity::scene::Scene;
-use radiosity::solve::{
-    self, Ask, Factors, Method, Options, Solution, automatic, resolution_for,
-};
+use radiosity::solve::{self, Ask, Factors, Method, Options, Solution};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -139,12 +138,8 @@ pub fn samples(
     }
 }
 
-/// Solves `scene`, if it can be solved.
-pub fn solved(
-    scene: &Scene,
-    way: &Way,
-    terminal: &Terminal,
-) -> Result<Solution, Refusal> {
+/// Refuses a scene that cannot be solved.
+pub fn checked(scene: &Scene) -> Result<(), Refusal> {
     let name = &scene.name;
     if !scene.has_emitter() {
         return Err(Refusal(format!(
@@ -159,13 +154,23 @@ pub fn solved(
              fewer, larger faces"
         )));
     }
+    Ok(())
+}
+
+/// Solves `scene`, if it can be solved; and what was decided on the way, one line each.
+pub fn solved(
+    scene: &Scene,
+    way: &Way,
+    terminal: &Terminal,
+) -> Result<(Solution, Vec<String>), Refusal> {
+    checked(scene)?;
     let progress = |what: &'static str, done, all| terminal.progress(what, done, all);
     Ok(match way {
         Way::Planned(ask) => {
-            let first = resolution_for(scene, ask.tolerance);
-            automatic(scene, first, ask, &progress).0
+            let done = Plan::of(scene, ask.tolerance).run(ask, &progress);
+            (done.solution, done.decisions)
         }
-        Way::Fixed(options) => solve::solve(scene, options, &progress),
+        Way::Fixed(options) => (solve::solve(scene, options, &progress), Vec::new()),
     })
 }
 
@@ -183,20 +188,20 @@ impl Solve {
         let way = self.how.way(seed)?;
         let scene = self.source.load(terminal)?;
         let start = Instant::now();
-        let solution = solved(&scene, &way, terminal)?;
+        let (solution, plan) = solved(&scene, &way, terminal)?;
         let seconds = start.elapsed().as_secs_f64();
         let mut text = report::text(&scene, &solution, self.how.tolerance, seconds);
         if let Some((path, kind)) = file {
             let content = match kind {
                 "csv" => tables::csv(&scene, &solution),
                 "ply" => tables::ply(&solution),
-                _ => tables::json(&scene, &solution, self.how.tolerance),
+                _ => tables::json(&scene, &solution, &plan, self.how.tolerance),
             };
             write(path, content.as_bytes())?;
             text += &format!("written: {}\n", path.display());
         }
         terminal.report(&text, || {
-            report::json_timed(&solution, self.how.tolerance, seconds)
+            report::json_timed(&solution, &plan, self.how.tolerance, seconds)
         })
     }
 }

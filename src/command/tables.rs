@@ -73,8 +73,13 @@ pub fn ply(solution: &Solution) -> String {
 }
 
 /// What `--json` prints (but for the seconds), the faces, and the whole mesh.
-pub fn json(scene: &Scene, solution: &Solution, tolerance: f64) -> String {
-    let mut all = report::json(solution, tolerance);
+pub fn json(
+    scene: &Scene,
+    solution: &Solution,
+    plan: &[String],
+    tolerance: f64,
+) -> String {
+    let mut all = report::json(solution, plan, tolerance);
     all["scene"] = json!(scene.name);
     let face = |(id, face): (usize, &FaceLight)| {
         json!({

@@ -46,7 +46,8 @@ pub struct Resolution {
     /// The error that interpolating direct light may make, relative to the reflected
     /// light of the scene.
     pub direct: f64,
-    /// The same for reflected light.
+    /// The same for reflected light; infinite when light that was reflected twice is left
+    /// out.
     pub reflected: f64,
     /// The error that the solver may leave.
     pub solver: f64,
@@ -112,15 +113,15 @@ pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
     let (fine, light) = direct_light(&patches, 2.0 * how.direct, scale);
     let mut system =
         System::new(scene, &patches, (&fine, &light), &direct, how.hemicube);
-    system.look(progress);
+    let bounces = how.reflected.is_finite();
+    let counter = AtomicUsize::new(system.look(bounces, progress));
     let dark = vec![Rgb::ZERO; system.corners.len()];
     let (reflected, _, rounds) = system.solve(how.solver, &dark, progress);
     let shone = system.reflected_slopes(&reflected);
     let scale = system.reflected_light(&reflected);
 
     progress("reflected light", 0, 1);
-    let counter = AtomicUsize::new(system.corners.len());
-    let (coarse, mut reflected_fine) = Refinement {
+    let finer = Refinement {
         light: &|e, at| {
             counter.fetch_add(1, Ordering::Relaxed);
             system.seen_from(at, e.polygon.normal()).irradiance(&shone)
@@ -131,8 +132,11 @@ pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
         scale,
         target: how.reflected,
         most: how.most_elements.min(MOST_SPLIT * patches.elements.len()),
-    }
-    .run_from(patches.clone(), system.places(), reflected.clone());
+    };
+    let (coarse, mut reflected_fine) = match bounces {
+        true => finer.run_from(patches.clone(), system.places(), reflected.clone()),
+        false => (patches.clone(), reflected.clone()),
+    };
 
     // What patches send is corrected by how their light bulges between the corners.
     let before = reflected;
@@ -304,17 +308,25 @@ impl<'a> System<'a> {
         Corner { once, patches, lost }
     }
 
-    fn look(&mut self, progress: Progress) {
+    /// Looks from all corners, or from those of emitters only, which tell what escapes; how
+    /// many that are.
+    fn look(&mut self, from_all: bool, progress: Progress) -> usize {
         let places = self.patches.places(INSIDE);
         let (all, done) = (places.len(), AtomicUsize::new(0));
+        let wanted = |place: &&Place| {
+            let k = place.element as usize;
+            from_all || self.enclosure.emission[k] != Rgb::ZERO
+        };
+        let looks = places.iter().flatten().filter(wanted).count();
         let look = |place: &Option<Place>| {
             progress("hemicubes", done.fetch_add(1, Ordering::Relaxed) + 1, all);
-            place.as_ref().map_or_else(Corner::default, |place| {
+            place.as_ref().filter(wanted).map_or_else(Corner::default, |place| {
                 let element = &self.patches.elements[place.element as usize];
                 self.seen_from(place.at, element.polygon.normal())
             })
         };
         self.corners = places.par_iter().map(look).collect();
+        looks
     }
 
     /// What each patch sends of light that was reflected more than once, from the reflected

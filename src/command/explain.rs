@@ -1,0 +1,163 @@
+//! `radiosity explain`: what will be done to a scene, and why.
+
+use super::output::{Refusal, Terminal};
+use super::report::percent;
+use super::solve::checked;
+use super::{Source, values};
+use clap::Args;
+use radiosity::plan::{Plan, Predicted};
+use radiosity::solve::Ask;
+use serde_json::{Value, json};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+/// Tells what a scene needs to be right to a tolerance, and why
+#[derive(Args)]
+#[command(after_help = "Examples:
+  radiosity explain cornell
+  radiosity explain room.obj --tolerance 5%
+  radiosity explain cornell --run --json
+
+Work is predicted from the scene and decides nothing; --run does it, and tells what was
+spent. Seconds predicted are those of one processor.")]
+pub struct Explain {
+    #[command(flatten)]
+    source: Source,
+    /// The largest relative error of the field asked for, as 0.01 or 1%
+    #[arg(long, default_value = "1%", value_parser = values::tolerance)]
+    #[arg(allow_hyphen_values = true)]
+    tolerance: f64,
+    /// Do it, and tell what was spent
+    #[arg(long)]
+    run: bool,
+}
+
+/// Seconds by what was done, in order.
+struct Watch {
+    start: Instant,
+    stages: Vec<(&'static str, f64)>,
+    last: Option<(&'static str, Instant)>,
+}
+
+impl Watch {
+    fn start() -> Watch {
+        Watch { start: Instant::now(), stages: Vec::new(), last: None }
+    }
+
+    /// `stage` goes on, or begins and ends the one before.
+    fn during(&mut self, stage: &'static str) {
+        if self.last.is_some_and(|(last, _)| last == stage) {
+            return;
+        }
+        self.stop();
+        self.last = Some((stage, Instant::now()));
+    }
+
+    fn stop(&mut self) {
+        let Some((stage, since)) = self.last.take() else { return };
+        let spent = since.elapsed().as_secs_f64();
+        match self.stages.iter_mut().find(|(known, _)| *known == stage) {
+            Some((_, sum)) => *sum += spent,
+            None => self.stages.push((stage, spent)),
+        }
+    }
+}
+
+impl Explain {
+    /// Explains, and runs if asked to.
+    pub fn run(&self, seed: u64, terminal: &Terminal) -> Result<(), Refusal> {
+        let tolerance = values::positive("--tolerance", self.tolerance)?;
+        let scene = self.source.load(terminal)?;
+        checked(&scene)?;
+        let plan = Plan::of(&scene, tolerance);
+        let mut text = format!(
+            "What {} needs to be right to {}:\n\n",
+            scene.name,
+            percent(tolerance).replace(".0 ", " ")
+        );
+        for decision in &plan.decisions {
+            text += &entry(decision.what, &decision.why);
+        }
+        let mut object = json!({
+            "scene": scene.name,
+            "tolerance": tolerance,
+            "decisions": plan.decisions.iter().map(|d| json!({
+                "what": d.what, "why": d.why, "value": d.value,
+            })).collect::<Vec<Value>>(),
+            "predicted": predicted(&plan.predicted),
+        });
+        if self.run {
+            let (told, spent) = self.spent(&plan, seed, terminal);
+            text += &told;
+            object["spent"] = spent;
+        }
+        terminal.report(&text, || object)
+    }
+
+    /// Runs the plan: what it cost, in words and as JSON.
+    fn spent(&self, plan: &Plan, seed: u64, terminal: &Terminal) -> (String, Value) {
+        let watch = Mutex::new(Watch::start());
+        let ask = Ask { tolerance: plan.tolerance, seed, ..Ask::default() };
+        let done = plan.run(&ask, &|what, done, all| {
+            watch.lock().unwrap_or_else(PoisonError::into_inner).during(what);
+            terminal.progress(what, done, all);
+        });
+        let mut watch = watch.into_inner().unwrap_or_else(PoisonError::into_inner);
+        watch.stop();
+        let seconds = watch.start.elapsed().as_secs_f64();
+        let hemicubes: usize = done.passes.iter().map(|p| p.hemicubes).sum();
+        let solution = &done.solution;
+        let mut text = "\nDone:\n\n".to_string();
+        for line in &done.decisions[plan.decisions.len()..] {
+            let line = line.strip_prefix("run: ").unwrap_or(line);
+            text += &entry("run", line);
+        }
+        for (stage, seconds) in &watch.stages {
+            text += &format!("time      {stage}: {seconds:.2} s\n");
+        }
+        text += &format!("time      in all: {seconds:.2} s\n");
+        let stages: serde_json::Map<String, Value> =
+            watch.stages.iter().map(|&(s, t)| (s.into(), json!(t))).collect();
+        let spent = json!({
+            "patches": solution.patches,
+            "hemicubes": hemicubes,
+            "elements": solution.mesh.elements.len(),
+            "passes": done.passes.len(),
+            "seconds": seconds,
+            "stages": stages,
+            "converged": solution.converged,
+            "error": solution.certificate.error,
+            "high": solution.certificate.high,
+        });
+        (text, spent)
+    }
+}
+
+/// The longest line that is printed.
+const WIDTH: usize = 78;
+
+/// A word at the margin, and a sentence beside it, broken at spaces.
+fn entry(what: &str, why: &str) -> String {
+    let mut lines = vec![format!("{what:<9}")];
+    for word in why.split(' ') {
+        let line = lines.last().map_or(0, |line| line.chars().count());
+        // `9 %` stays together.
+        if line + 1 + word.chars().count() > WIDTH && word != "%" {
+            lines.push(" ".repeat(9));
+        }
+        if let Some(line) = lines.last_mut() {
+            line.push(' ');
+            line.push_str(word);
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+fn predicted(p: &Predicted) -> Value {
+    json!({
+        "patches": p.patches,
+        "hemicubes": p.hemicubes,
+        "elements": p.elements,
+        "seconds": p.seconds,
+    })
+}

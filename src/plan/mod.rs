@@ -1,0 +1,111 @@
+//! What a scene needs: from the error asked for to the work that reaches it, and why.
+//!
+//! ```text
+//! ‖B − E − ρ H_direct‖ ≤ ρ_max ‖B − E‖       light reflected twice or more, closed or not
+//! bounces that matter = ln tolerance / ln q      q = ρ̄ (1 − escaping)
+//! E/(1 − ρ) the same everywhere, room closed     ⇒ B = E/(1 − ρ): nothing to solve
+//! ```
+//! A plan looks at the scene, which costs some thousand rays, and decides. Each
+//! [`Decision`] is one sentence with the number that it rests on. What is predicted decides
+//! nothing: the certificate says when it is enough.
+//!
+//! | part             | use it when                              | it fails when              |
+//! |------------------|------------------------------------------|----------------------------|
+//! | [`Survey`]       | the scene is to be known, cheaply        | an opening is smaller than |
+//! |                  |                                          | a ray finds                |
+//! | [`Plan::of`]     | it is to be told what will be done       | materials shine            |
+//! | [`Plan::run`]    | it is to be done                         | the limits are reached     |
+//! | [`Predicted`]    | a person asks how long it will take      | the machine is another     |
+//!
+//! **Not here:** how light is resolved and certified ([`crate::solve`]); specular light,
+//! which pass 1 counts as absorbed.
+//! Chapter *What does this scene need?*, on the pipeline of (L08). Sources: Lischinski,
+//! Smits & Greenberg 1994 (bounds that tell where to work); Smits, Arvo & Salesin 1992 (no
+//! more work than the result needs).
+
+mod predict;
+mod run;
+mod survey;
+mod words;
+
+pub use predict::Predicted;
+pub use run::Planned;
+pub use survey::{Pieces, Survey};
+
+use crate::geometry::Rgb;
+use crate::scene::Scene;
+use crate::solve::{Ask, Resolution, resolution_for};
+
+/// One thing that was decided, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decision {
+    /// What it is about: one word or two.
+    pub what: &'static str,
+    /// The sentence, with its number.
+    pub why: String,
+    /// The number itself; its unit is told by the sentence.
+    pub value: f64,
+}
+
+/// How a scene is solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// Not at all: this radiosity, in W/m², is everywhere.
+    Everywhere(Rgb),
+    /// Direct light exactly, and what is reflected, if it is, by hemicubes on patches; to
+    /// begin with at this resolution.
+    Smooth(Resolution),
+}
+
+/// What is done to a scene, and why.
+#[derive(Clone, Debug)]
+pub struct Plan<'s> {
+    /// The scene.
+    pub scene: &'s Scene,
+    /// The relative error that was asked for.
+    pub tolerance: f64,
+    /// What was found.
+    pub survey: Survey,
+    /// What will be done.
+    pub way: Way,
+    /// Why.
+    pub decisions: Vec<Decision>,
+    /// The work that this will be, as far as can be told.
+    pub predicted: Predicted,
+}
+
+/// Light that was reflected twice may be left out when it is at most this share of the
+/// tolerance: the mesh has the rest.
+const SHARE_OF_BOUNCES: f64 = 0.25;
+
+impl<'s> Plan<'s> {
+    /// The plan for a scene that is to be right to `tolerance` (relative, positive).
+    ///
+    /// Deterministic, and the same at any number of threads.
+    pub fn of(scene: &'s Scene, tolerance: f64) -> Plan<'s> {
+        // ANCHOR: way
+        let survey = Survey::of(scene);
+        let first = resolution_for(scene, tolerance);
+        let enough = SHARE_OF_BOUNCES * tolerance;
+        let way = match survey.everywhere {
+            Some(radiosity) => Way::Everywhere(radiosity),
+            None if survey.brightest <= enough && survey.sums_emitters => {
+                Way::Smooth(Resolution { reflected: f64::INFINITY, ..first })
+            }
+            None => Way::Smooth(first),
+        };
+        // ANCHOR_END: way
+        let pieces = Pieces::of(scene, first.patch, Ask::default().most_patches);
+        let predicted = match &way {
+            Way::Everywhere(_) => Predicted::nothing(scene),
+            Way::Smooth(how) => Predicted::of(&survey, &pieces, how, tolerance),
+        };
+        let decisions = words::decisions(&survey, &pieces, &way, &predicted, tolerance);
+        Plan { scene, tolerance, survey, way, decisions, predicted }
+    }
+
+    /// One line for each decision.
+    pub fn lines(&self) -> Vec<String> {
+        self.decisions.iter().map(|d| format!("{}: {}", d.what, d.why)).collect()
+    }
+}

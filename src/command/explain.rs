@@ -76,7 +76,7 @@ impl Explain {
             percent(tolerance).replace(".0 ", " ")
         );
         for decision in &plan.decisions {
-            text += &entry(decision.what, &decision.why);
+            text += &decision.to_string();
         }
         let mut object = json!({
             "scene": scene.name,
@@ -110,7 +110,7 @@ impl Explain {
         let mut text = "\nDone:\n\n".to_string();
         for line in &done.decisions[plan.decisions.len()..] {
             let line = line.strip_prefix("run: ").unwrap_or(line);
-            text += &entry("run", line);
+            text += &format!("run       {line}\n");
         }
         for (stage, seconds) in &watch.stages {
             text += &format!("time      {stage}: {seconds:.2} s\n");
@@ -131,26 +131,6 @@ impl Explain {
         });
         (text, spent)
     }
-}
-
-/// The longest line that is printed.
-const WIDTH: usize = 78;
-
-/// A word at the margin, and a sentence beside it, broken at spaces.
-fn entry(what: &str, why: &str) -> String {
-    let mut lines = vec![format!("{what:<9}")];
-    for word in why.split(' ') {
-        let line = lines.last().map_or(0, |line| line.chars().count());
-        // `9 %` stays together.
-        if line + 1 + word.chars().count() > WIDTH && word != "%" {
-            lines.push(" ".repeat(9));
-        }
-        if let Some(line) = lines.last_mut() {
-            line.push(' ');
-            line.push_str(word);
-        }
-    }
-    lines.join("\n") + "\n"
 }
 
 fn predicted(p: &Predicted) -> Value {

@@ -35,6 +35,7 @@ pub use survey::{Pieces, Survey};
 use crate::geometry::Rgb;
 use crate::scene::Scene;
 use crate::solve::{Ask, Resolution, resolution_for};
+use std::fmt;
 
 /// One thing that was decided, and why.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +46,31 @@ pub struct Decision {
     pub why: String,
     /// The number itself; its unit is told by the sentence.
     pub value: f64,
+}
+
+/// The longest line that is printed.
+const WIDTH: usize = 78;
+
+/// The column where sentences begin.
+const MARGIN: usize = 9;
+
+/// The word at the margin, and the sentence beside it, broken at spaces.
+impl fmt::Display for Decision {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{:<MARGIN$}", self.what)?;
+        let mut column = MARGIN;
+        for word in self.why.split(' ') {
+            let length = 1 + word.chars().count();
+            // `9 %` stays together.
+            if column + length > WIDTH && word != "%" {
+                write!(f, "\n{:MARGIN$}", "")?;
+                column = MARGIN;
+            }
+            write!(f, " {word}")?;
+            column += length;
+        }
+        writeln!(f)
+    }
 }
 
 /// How a scene is solved.
@@ -80,6 +106,7 @@ const SHARE_OF_BOUNCES: f64 = 0.25;
 
 impl<'s> Plan<'s> {
     /// The plan for a scene that is to be right to `tolerance` (relative, positive).
+    /// The scene has an emitter, else there is nothing to plan.
     ///
     /// Deterministic, and the same at any number of threads.
     pub fn of(scene: &'s Scene, tolerance: f64) -> Plan<'s> {

@@ -111,6 +111,7 @@ impl Survey {
 
 /// The shares of rays from surface `k` that leave the scene, and that meet backs.
 fn lost(all: &Visibility, polygon: &Polygon, k: usize, rays: usize) -> (f64, f64) {
+    // ANCHOR: lost
     let frame = Frame::about(polygon.normal());
     let (mut escaped, mut backs) = (0, 0);
     for u in Stream::named(0, &[k as u64]).points(rays) {
@@ -120,6 +121,7 @@ fn lost(all: &Visibility, polygon: &Polygon, k: usize, rays: usize) -> (f64, f64
             Some(_) => {}
         }
     }
+    // ANCHOR_END: lost
     (escaped as f64 / rays as f64, backs as f64 / rays as f64)
 }
 
@@ -153,6 +155,9 @@ const NEAR: f64 = 1.5;
 /// So many patches are asked for all others.
 const ASKED: usize = 200;
 
+/// So many patches are asked for blockers before lamps.
+const ASKED_FOR_SHADOWS: usize = 2000;
+
 impl Pieces {
     /// Cuts a scene into patches with edges of at most `edge`, scene units.
     pub fn of(scene: &Scene, edge: f64, most: usize) -> Pieces {
@@ -179,12 +184,13 @@ impl Pieces {
         }
         let direct = Direct::of(scene);
         let hidden = |p: &&Polygon| !direct.on(p).is_free();
-        let shadowed = mesh.polygons().filter(hidden).count();
+        let asked = || mesh.polygons().step_by(n.div_ceil(ASKED_FOR_SHADOWS).max(1));
+        let shadowed = asked().filter(hidden).count() as f64;
         Pieces {
             patches: (scale * n as f64) as usize,
             corners: (scale * corners as f64) as usize,
             near: near as f64 / pairs.max(1) as f64,
-            shadowed: shadowed as f64 / n.max(1) as f64,
+            shadowed: shadowed / asked().count().max(1) as f64,
         }
     }
 }

@@ -24,10 +24,15 @@ fn solve_answers_other_programs_with_one_object() {
     assert_eq!(answer.err, "");
     let json = answer.json();
     assert_eq!(json.keys().collect::<Vec<_>>(), SOLVED);
-    assert_eq!(
-        (&json["tolerance"], &json["plan"]),
-        (&0.04.into(), &Vec::<u8>::new().into())
-    );
+    assert_eq!(json["tolerance"], 0.04);
+    let plan: Vec<&str> = json["plan"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|line| line.as_str().expect("a line"))
+        .collect();
+    assert!(plan[0].starts_with("room: open: 80 %"), "{plan:?}");
+    assert!(plan.iter().any(|line| line.starts_with("run: pass 1: ")), "{plan:?}");
     assert_eq!((&json["patches"], &json["converged"]), (&2.into(), &true.into()));
     let certificate = json["certificate"].as_object().unwrap();
     assert_eq!(
@@ -134,4 +139,32 @@ fn closing_is_reported_and_open_scenes_are_not_closed() {
     assert_eq!(open.code, Some(1));
     assert!(open.err.contains("--close would invent light"), "{open:?}");
     assert_eq!(folder.names(), ["F.csv"]);
+}
+
+#[test]
+fn explain_tells_what_and_why_and_after_a_run_what_was_spent() {
+    let folder = Folder::new();
+    let text = folder.run("explain cornell --tolerance 2%").done().out;
+    assert!(text.starts_with("What cornell needs to be right to 2 %:"), "{text}");
+    assert!(text.contains("pass 2 would change nothing, skipped"), "{text}");
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    let json = folder.run("explain facing-squares --json").done().json();
+    let keys = ["scene", "tolerance", "decisions", "predicted"];
+    assert_eq!(json.keys().collect::<Vec<_>>(), keys);
+    for decision in json["decisions"].as_array().expect("a list") {
+        assert!(decision["what"].is_string() && decision["why"].is_string());
+        assert!(decision["value"].is_number(), "{decision}");
+    }
+    let run = "explain facing-squares --json --run --tolerance 5%";
+    let json = folder.run(run).done().json();
+    let counts = ["patches", "hemicubes", "elements", "seconds"];
+    let told = |key: &str| {
+        let object = json[key].as_object().expect("an object");
+        counts.map(|count| object[count].as_f64().expect("a number"))
+    };
+    let (predicted, spent) = (told("predicted"), told("spent"));
+    assert_eq!(predicted[0], spent[0]);
+    assert!(spent[3] > 0.0 && json["spent"]["converged"] == true, "{json:?}");
+    assert!(json["spent"]["stages"]["certifying"].is_number(), "{json:?}");
+    assert!(folder.names().is_empty(), "nothing is written");
 }

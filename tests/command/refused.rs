@@ -54,6 +54,9 @@ fn a_name_that_is_no_scene() {
     let words = ["`cornel`", "cornell-regular", ".obj"];
     refused(&folder, "solve cornel -o old.csv", &words);
     refused(&folder, "solve furnace:1 -o old.csv", &["furnace:1", "[0, 1)"]);
+    refused(&folder, "explain cornel", &words);
+    refused(&folder, "explain cornell --tolerance 0", &["--tolerance 0"]);
+    refused(&folder, "explain cornell --tolerance=-1% --run", &["--tolerance -0.01"]);
 }
 
 #[test]

@@ -10,6 +10,7 @@
 //! | part       | use it when                             | it fails when                   |
 //! |------------|-----------------------------------------|---------------------------------|
 //! | [`Race`]   | solvers are to be compared              | the machine does something else |
+//! | [`patches`]| light itself is to be compared          | its truth is not finer          |
 //! | [`Chart`]  | numbers span decades, both ways         | a value is 0: it has no decade  |
 //!
 //! **Not here:** where numbers are written to, and the clock: the command brings both. The
@@ -17,6 +18,7 @@
 //! Chapter *Solving it*, for the comparisons of (L13) and (L14).
 //! Sources: Gortler, Cohen & Slusallek 1994, who compared relaxations by their work.
 
+pub mod patches;
 pub mod race;
 mod svg;
 

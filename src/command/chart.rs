@@ -3,7 +3,9 @@
 use super::output::{Refusal, Terminal, write};
 use clap::{Args, ValueEnum};
 use cpu_time::ThreadTime;
+use radiosity::chart::patches::{self, Patches, Trial};
 use radiosity::chart::race::{self, Finish, Race, contestants};
+use radiosity::scene::built_in;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -66,6 +68,10 @@ fn solvers(terminal: &Terminal) -> Result<(), Refusal> {
         ("solvers-time.svg", time_chart(&finishes)),
         ("solvers-work.svg", work_chart(&finishes)),
     ];
+    let (trials, patches, about) = alone.install(|| run_patches(terminal))?;
+    let mut files = files.to_vec();
+    files.push(("patches.csv", patches::csv(&about, &trials)));
+    files.push(("patches.svg", patches::chart(&trials).svg()));
     let files = write_all(&files)?;
     let mut text = origin + "\n";
     for (what, number) in TABLES {
@@ -73,13 +79,53 @@ fn solvers(terminal: &Terminal) -> Result<(), Refusal> {
         text += &format!("\n{what:<22}{}\n", columns.concat());
         text += &race::table(&finishes, number);
     }
-    text += "\n";
+    text += &format!("\n{about}\n\n{}\n", patches::table(&trials));
     files.iter().for_each(|file| text += &format!("{}\n", file.display()));
     terminal.report(&text, || {
         let finishes: Vec<Value> = finishes.iter().map(object).collect();
         json!({ "elements": race.elements(), "accuracy": ACCURACY,
-                "solvers": finishes, "files": files })
+                "solvers": finishes, "patches": patches,
+                "trials": trials.iter().map(trial).collect::<Vec<_>>(), "files": files })
     })
+}
+
+/// Patches of the Cornell box: eight along each wall, m.
+const PATCH: f64 = 0.07;
+
+/// Errors of the field that smooth light is asked for.
+const TOLERANCES: [f64; 6] = [0.1, 0.05, 0.03, 0.02, 0.014, 0.01];
+
+/// Walks from each patch.
+const WALKS: [usize; 5] = [16, 64, 256, 1024, 4096];
+
+fn run_patches(terminal: &Terminal) -> Result<(Vec<Trial>, usize, String), Refusal> {
+    let scene = built_in("cornell")?;
+    terminal.progress("finding the truth", 0, 1);
+    let patches = Patches::new(&scene, PATCH);
+    let start = ThreadTime::now();
+    let clock = || start.elapsed().as_secs_f64();
+    let all = TOLERANCES.len() + WALKS.len();
+    let mut trials = Vec::new();
+    for tolerance in TOLERANCES {
+        terminal.progress("comparing", trials.len(), all);
+        trials.push(patches.by_smooth(tolerance, &clock));
+    }
+    for walks in WALKS {
+        terminal.progress("comparing", trials.len(), all);
+        trials.push(patches.by_walks(walks, &clock));
+    }
+    let about = format!(
+        "The mean irradiance of {} patches of the Cornell box, 8 x 8 a wall: smooth light\n\
+         from coarse to fine (settings are its patches), and random walks (settings are\n\
+         walks a patch; their error is what their spread tells).",
+        patches.len()
+    );
+    Ok((trials, patches.len(), about))
+}
+
+fn trial(t: &Trial) -> Value {
+    json!({ "method": t.method, "setting": t.setting, "error": t.error,
+            "seconds": t.seconds })
 }
 
 /// A title, and a number of a run.

@@ -107,8 +107,8 @@ pub fn automatic(
     }
 }
 
-/// Rays of a certificate: with so many its doubt is about a quarter of a per cent.
-const RAYS: usize = 256;
+/// Rays of a certificate: with so many its doubt is about a quarter of one per cent.
+const RAYS: usize = 128;
 
 /// So many times as many are cast when only chance is in doubt.
 const MORE: usize = 4;

@@ -161,7 +161,7 @@ fn what_is_out_of_reach_is_said_beforehand() {
 fn predicted_work_is_within_a_factor_two() {
     for built_in in builtins() {
         let scene = (built_in.make)();
-        for tolerance in [0.1, 0.02] {
+        for tolerance in [0.1, 0.02, 0.01] {
             let plan = Plan::of(&scene, tolerance);
             let done = plan.run(&Ask::default(), &|_, _, _| {});
             let hemicubes: usize = done.passes.iter().map(|p| p.hemicubes).sum();

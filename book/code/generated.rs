@@ -2,7 +2,7 @@
 
 use crate::hemicube::{cost, ledger, section, sheet, table, view};
 use crate::{
-    certificate, equation, factors, lecture_map, light, links, patches, pipeline,
+    certificate, equation, factors, lecture_map, light, links, patches, pipeline, plan,
     shooting, surface,
 };
 use std::path::{Path, PathBuf};
@@ -36,6 +36,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(equation::files());
     files.extend(pipeline::files());
     files.extend(certificate::files());
+    files.extend(plan::files());
     files.extend(factors::files());
     files.extend(crate::solving::files());
     files.extend(patches::files());

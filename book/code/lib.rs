@@ -19,6 +19,7 @@
 //! | [`shooting`]    | figures and numbers of the chapters on shooting, L13 and L14 |
 //! | [`certificate`] | figures and numbers of *How wrong is it?*                     |
 //! | [`solving`]     | figures and numbers of the chapter *Solving it*              |
+//! | [`plan`]        | figures and numbers of *What does this scene need?*          |
 //! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //! | [`patches`]     | figures and numbers of the chapter on substructuring         |
@@ -42,6 +43,7 @@ pub mod links;
 pub mod map;
 pub mod patches;
 pub mod pipeline;
+pub mod plan;
 pub mod shooting;
 pub mod solving;
 pub mod source;
@@ -72,6 +74,7 @@ mod pages {
         hierarchy: "hierarchy.md",
         progressive_refinement: "progressive-refinement.md",
         only_what_shines: "only-what-shines.md",
+        what_it_needs: "what-it-needs.md",
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",
         labs_brdf: "labs/brdf.md",

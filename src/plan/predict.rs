@@ -1,12 +1,13 @@
 //! How much work it will be, counted, and in seconds of one processor.
 //!
 //! ```text
-//! hemicubes = corners + patches (1 + 1.5 (0.01/ε)^¾)       ε: the error asked for
+//! hemicubes = corners + patches (1 + 1.5 (0.01/ε)^k)       ε asked for; k = ¾, 2½ below 1 %
 //! elements  = patches (1 + (2 + 12 s) √(0.01/ε))           s: share with hidden lamps
-//! seconds   = hemicubes (80 µs + 0.23 µs patches) + 10 µs elements + 0.15 s
+//! seconds   = hemicubes (50 µs + 0.16 µs patches) + 10 µs elements + 0.75 s
 //! ```
 //! With nothing in the way, `hemicubes = corners + patches` and `elements = patches`. The
-//! powers are those by which light that bends is split; the factors were fitted to the
+//! powers are near those by which light that bends is split; below 1 % a hemicube's aliasing
+//! looks like light that bends, and more is asked for. The factors were fitted to the
 //! built-in scenes, and the seconds to one machine. They decide nothing.
 
 use super::{Pieces, Survey};
@@ -18,7 +19,7 @@ use crate::solve::Resolution;
 pub struct Predicted {
     /// Patches of the first pass.
     pub patches: f64,
-    /// Hemicubes of all passes.
+    /// Hemicubes, if one pass is enough.
     pub hemicubes: f64,
     /// Elements that light is shown on.
     pub elements: f64,
@@ -28,12 +29,8 @@ pub struct Predicted {
     pub seconds: f64,
 }
 
-/// Asked for 1 % or less, the first pass falls short where lamps are hidden from much of
-/// the scene: this much, times the share of patches, is done again and finer.
-const AGAIN: f64 = 4.0;
-
 /// Seconds that a certificate takes.
-const CERTIFICATE: f64 = 0.15;
+const CERTIFICATE: f64 = 0.75;
 
 impl Predicted {
     /// When the answer is known beforehand, only the certificate is left.
@@ -59,10 +56,10 @@ impl Predicted {
         let finer = 0.01 / tolerance;
         let in_the_way = (survey.blockers > 0) as u8 as f64;
         let bounces = how.reflected.is_finite();
-        let again = if tolerance <= 0.01 { AGAIN * pieces.shadowed } else { 0.0 };
-        let split = 1.0 + 1.5 * in_the_way * finer.powf(0.75);
+        let power = if finer <= 1.0 { 0.75 } else { 2.5 };
+        let split = 1.0 + 1.5 * in_the_way * finer.powf(power);
         let looks = pieces.corners as f64 + patches * split;
-        let hemicubes = if bounces { looks * (1.0 + again) } else { 0.0 };
+        let hemicubes = if bounces { looks } else { 0.0 };
         let bends = in_the_way * (2.0 + 12.0 * pieces.shadowed);
         let elements = patches * (1.0 + bends * finer.sqrt());
         let elements = elements.min(how.most_elements as f64);
@@ -71,9 +68,9 @@ impl Predicted {
             hemicubes,
             elements,
             rounds: if bounces { rounds(survey, how.solver) } else { 0.0 },
-            seconds: hemicubes * (8e-5 + 2.3e-7 * patches)
+            seconds: hemicubes * (5e-5 + 1.6e-7 * patches)
                 + 1e-5 * elements
-                + CERTIFICATE * (1.0 + again),
+                + CERTIFICATE,
         }
     }
 }

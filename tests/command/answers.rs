@@ -33,7 +33,8 @@ fn solve_answers_other_programs_with_one_object() {
         .collect();
     assert!(plan[0].starts_with("room: open: 80 %"), "{plan:?}");
     assert!(plan.iter().any(|line| line.starts_with("run: pass 1: ")), "{plan:?}");
-    assert_eq!((&json["patches"], &json["converged"]), (&2.into(), &true.into()));
+    assert!(json["patches"].as_u64() > Some(2), "{json:?}");
+    assert_eq!(json["converged"], true);
     let certificate = json["certificate"].as_object().unwrap();
     assert_eq!(
         certificate.keys().collect::<Vec<_>>(),

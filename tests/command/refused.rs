@@ -185,7 +185,7 @@ fn what_is_not_understood_ends_with_2() {
         "render furnace",
         "solve furnace -o x.csv --tolerance much",
         "solve furnace -o x.csv --method guess",
-        "solve furnace -o x.csv --form-factors auto",
+        "solve furnace -o x.csv --form-factors guess",
         "solve furnace -o x.csv --threads -1",
         "solve furnace -o x.csv --seed 0.5",
         "render furnace -o x.png --size big",

@@ -56,7 +56,7 @@ pub fn resolution_for(scene: &Scene, tolerance: f64) -> Resolution {
     let patches = (PATCHES * 0.01 / tolerance).clamp(60.0, 10_000.0);
     Resolution {
         patch: (area / patches).sqrt(),
-        hemicube: if tolerance < 0.005 { 64 } else { 32 },
+        hemicube: if tolerance < 0.008 { 64 } else { 32 },
         direct: 0.4 * tolerance,
         reflected: 0.5 * tolerance,
         solver: 0.02 * tolerance,

@@ -194,7 +194,7 @@ fn what_is_not_understood_ends_with_2() {
         "render furnace -o x.png --eye 1,2",
         "render furnace -o x.png --exposure bright",
         "render furnace -o x.png --method two-pass",
-        "render furnace -o x.png --view error",
+        "render furnace -o x.png --view mistake",
         "solve furnace -o x.csv --sky uniform:1,1,1",
     ] {
         let Answer { code, out, err } = folder.run(arguments);

@@ -3,13 +3,14 @@
 
 mod common;
 
-use common::rooms::{rectangle, scene};
+use common::rooms::{box_walls, exact_factors, gathered, rectangle, scene};
 use glam::{DVec3, dvec3};
+use radiosity::film::{linear_from_srgb, srgb_from_linear};
 use radiosity::form_factor::analytic::lambert_polygon;
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::mesh::{Element, Mesh};
 use radiosity::scene::Scene;
-use radiosity::solve::{Direct, Oracle};
+use radiosity::solve::{Direct, Enclosure, Oracle};
 
 /// The lamp of rows 40 and 41: a square of 0.2 that hangs 0.2 above the origin.
 fn low_lamp() -> Polygon {
@@ -300,4 +301,35 @@ fn rows_38_and_43_a_spot_between_the_places_is_not_there() {
     // Elements of .25, whose middle it is.
     let (brightest, marked) = look(0.25);
     assert!((brightest / truth - 1.0).abs() < 1e-9 && marked > 0, "{brightest}");
+}
+
+/// Row 46: a floor of bright and dark tiles as one mean reflectance. The mean of the
+/// reflectances gives the light of the room; that of the numbers in an sRGB picture, which
+/// are not proportional to light, loses a tenth of what is reflected.
+#[test]
+fn row_46_the_mean_of_a_texture_is_taken_in_linear_light() {
+    const TILES: usize = 8;
+    let tiles = [0.9, 0.1];
+    let reflected = |floor: &dyn Fn(usize, usize) -> f64| {
+        let mut faces: Vec<_> = box_walls([1.0; 3]).map(|w| (w, 0.0, 0.5)).to_vec();
+        faces[5].1 = 1.0;
+        faces.remove(4); // the floor, which is tiled
+        let step = 1.0 / TILES as f64;
+        for k in 0..TILES * TILES {
+            let (i, j) = (k % TILES, k / TILES);
+            let corner = dvec3(i as f64 * step, j as f64 * step, 0.0);
+            let tile = rectangle(corner, step * DVec3::X, step * DVec3::Y);
+            faces.push((tile, 0.0, floor(i, j)));
+        }
+        let mesh = Mesh::whole(&scene(faces.clone()));
+        let enclosure = Enclosure::of(&scene(faces), &mesh);
+        let light = gathered(&enclosure, &exact_factors(&mesh), 1e-12, 10_000);
+        enclosure.power(light.iter().zip(&enclosure.emission).map(|(&b, &e)| b - e)).x
+    };
+    let tiled = reflected(&|i, j| tiles[(i + j) % 2]);
+    let linear = reflected(&|_, _| 0.5 * (tiles[0] + tiles[1]));
+    let encoded = 0.5 * (srgb_from_linear(tiles[0]) + srgb_from_linear(tiles[1]));
+    let wrong = reflected(&|_, _| linear_from_srgb(encoded));
+    assert!((linear / tiled - 1.0).abs() < 1e-3, "{linear} {tiled}");
+    assert!((0.05..0.15).contains(&(1.0 - wrong / tiled)), "{}", wrong / tiled);
 }

@@ -26,10 +26,12 @@ pub type Slopes = [Rgb; 4];
 /// The moments of a piece, as a point sees it.
 pub type Moments = [f64; 4];
 
+// ANCHOR: sent
 /// `Σ_k b_k m_k`, W/m².
 pub fn sent(b: &Slopes, m: &Moments) -> Rgb {
     m[0] * b[0] + m[1] * b[1] + m[2] * b[2] + m[3] * b[3]
 }
+// ANCHOR_END: sent
 
 /// What a point sees: how much of each patch, and where.
 #[derive(Clone, Debug, Default)]

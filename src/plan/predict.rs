@@ -1,13 +1,12 @@
 //! How much work it will be, counted, and in seconds of one processor.
 //!
 //! ```text
-//! hemicubes = corners + patches (1 + 1.5 (0.01/ε)^k)       ε asked for; k = ¾, 2½ below 1 %
+//! hemicubes = corners + patches (1 + 1.5 (0.01/ε)^¾)       ε asked for
 //! elements  = patches (1 + (2 + 12 s) √(0.01/ε))           s: share with hidden lamps
-//! seconds   = hemicubes (50 µs + 0.16 µs patches) + 10 µs elements + 0.75 s
+//! seconds   = hemicubes (50 µs + 0.16 µs patches) + 10 µs elements + 0.4 s
 //! ```
 //! With nothing in the way, `hemicubes = corners + patches` and `elements = patches`. The
-//! powers are near those by which light that bends is split; below 1 % a hemicube's aliasing
-//! looks like light that bends, and more is asked for. The factors were fitted to the
+//! powers are near those by which light that bends is split. The factors were fitted to the
 //! built-in scenes, and the seconds to one machine. They decide nothing.
 
 use super::{Pieces, Survey};
@@ -30,7 +29,7 @@ pub struct Predicted {
 }
 
 /// Seconds that a certificate takes.
-const CERTIFICATE: f64 = 0.75;
+const CERTIFICATE: f64 = 0.4;
 
 impl Predicted {
     /// When the answer is known beforehand, only the certificate is left.
@@ -56,8 +55,7 @@ impl Predicted {
         let finer = 0.01 / tolerance;
         let in_the_way = (survey.blockers > 0) as u8 as f64;
         let bounces = how.reflected.is_finite();
-        let power = if finer <= 1.0 { 0.75 } else { 2.5 };
-        let split = 1.0 + 1.5 * in_the_way * finer.powf(power);
+        let split = 1.0 + 1.5 * in_the_way * finer.powf(0.75);
         let looks = pieces.corners as f64 + patches * split;
         let hemicubes = if bounces { looks } else { 0.0 };
         let bends = in_the_way * (2.0 + 12.0 * pieces.shadowed);

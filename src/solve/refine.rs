@@ -148,6 +148,7 @@ impl Refinement<'_> {
             let off = rho * (there - mesh.value_at(element, at, light));
             off * off
         };
+        // ANCHOR: simpson
         let centre = off(centre);
         let squares = match self.ask {
             Ask::Centre => 5.0 / 9.0 * centre,
@@ -157,6 +158,7 @@ impl Refinement<'_> {
                 4.0 / 9.0 * (centre + edges)
             }
         };
+        // ANCHOR_END: simpson
         let share = polygon.area() * squares / self.scale;
         share.to_array().into_iter().filter(|s| s.is_finite()).fold(0.0, f64::max)
     }

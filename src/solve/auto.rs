@@ -53,7 +53,7 @@ const PATCHES: f64 = 400.0;
 /// up, in the square, to half of the tolerance.
 pub fn resolution_for(scene: &Scene, tolerance: f64) -> Resolution {
     let area: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
-    let patches = (PATCHES * 0.01 / tolerance).clamp(60.0, 10_000.0);
+    let patches = (PATCHES * 0.01 / tolerance).clamp(60.0, 2000.0);
     Resolution {
         patch: (area / patches).sqrt(),
         hemicube: if tolerance < 0.008 { 64 } else { 32 },

@@ -39,7 +39,7 @@ fn scene() -> Scene {
     Scene::assemble(&name, materials, faces, Some(camera)).expect("flat faces").0
 }
 
-/// What is left of the light, as a share, and the picture, after [`SHOTS`].
+/// What is left of the light, as a share, and the picture, after `SHOTS`.
 pub fn shot(brightest: Brightest) -> (f64, RgbImage) {
     let scene = scene();
     let mesh = Mesh::uniform(&scene, super::MAX_EDGE);

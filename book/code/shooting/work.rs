@@ -9,7 +9,7 @@ use radiosity::solve::{Brightest, GaussSeidel, Shoot, Solver, Step};
 const SHOTS: [usize; 14] =
     [2, 4, 10, 20, 40, 100, 200, 400, 700, 1000, 1500, 2000, 3000, 4500];
 
-/// The error of a solver after each of [`SHOTS`], until it is below 1e-3; `shown`
+/// The error of a solver after each of `SHOTS`, until it is below 1e-3; `shown`
 /// says what is looked at.
 pub fn curve<S: Iterator<Item = Step>>(
     room: &Room,

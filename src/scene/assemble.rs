@@ -118,7 +118,8 @@ impl Scene {
         let surfaces = overlap::settled(surfaces, faces.len(), &mut warnings);
         let camera =
             camera.unwrap_or_else(|| Camera::showing(&surfaces, glam::DVec3::Y));
-        let scene = Scene { name: name.into(), faces, surfaces, materials, camera };
+        let scene =
+            Scene { name: name.into(), faces, surfaces, materials, camera, sky: None };
         Ok((scene, warnings))
     }
 }

@@ -29,6 +29,7 @@ pub use camera::Camera;
 
 use crate::geometry::{Polygon, bounds};
 use crate::material::Material;
+use crate::sky::Sky;
 use glam::DVec3;
 
 /// Which `f` of the OBJ file, counted from 0.
@@ -73,6 +74,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// A view that shows the scene.
     pub camera: Camera,
+    /// The light of rays that leave the scene; without it they find darkness.
+    pub sky: Option<Sky>,
 }
 
 impl Scene {
@@ -102,8 +105,9 @@ impl Scene {
         low.distance(high)
     }
 
-    /// Does any surface emit?
+    /// Does any surface emit, or the sky shine?
     pub fn has_emitter(&self) -> bool {
-        self.surfaces.iter().any(|s| self.material(s).emits())
+        self.sky.as_ref().is_some_and(Sky::shines)
+            || self.surfaces.iter().any(|s| self.material(s).emits())
     }
 }

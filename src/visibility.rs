@@ -37,6 +37,16 @@ pub struct Hit {
     pub front: bool,
 }
 
+/// A back is taken as farther by this share, so that of two faces back to back in one place
+/// the one that looks at us is met, as in the item buffer.
+const BEHIND: f64 = 1.0 + 1e-9;
+
+impl Hit {
+    fn depth(&self) -> f64 {
+        if self.front { self.distance } else { self.distance * BEHIND }
+    }
+}
+
 /// All polygons of a scene, ready to be met by rays.
 #[derive(Clone, Debug)]
 pub struct Visibility {
@@ -94,7 +104,7 @@ impl Visibility {
         let mut stack: SmallVec<[(f64, u32); 32]> = smallvec![(0.0, 0)];
         while let Some((entry, at)) = stack.pop() {
             let Some(node) = self.nodes.get(at as usize) else { break };
-            if best.is_some_and(|b| entry > b.distance) {
+            if best.is_some_and(|b| entry > b.depth()) {
                 continue;
             }
             if node.count == 0 {
@@ -116,13 +126,14 @@ impl Visibility {
                 let Some(distance) = shear.meets(ray.origin, triangle) else {
                     continue;
                 };
+                let front = triangle.normal.dot(ray.direction) < 0.0;
+                let hit = Hit { item: triangle.item, distance, front };
                 let nearer = best.is_none_or(|b| {
-                    distance < b.distance
-                        || (distance == b.distance && triangle.item < b.item)
+                    hit.depth() < b.depth()
+                        || (hit.depth() == b.depth() && hit.item < b.item)
                 });
                 if distance > 0.0 && nearer {
-                    let front = triangle.normal.dot(ray.direction) < 0.0;
-                    best = Some(Hit { item: triangle.item, distance, front });
+                    best = Some(hit);
                 }
             }
         }

@@ -4,7 +4,7 @@
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use proptest::prelude::*;
 use radiosity::geometry::Rgb;
-use radiosity::material::{Coefficients, Lobe, Material, MaterialError};
+use radiosity::material::{Coefficients, Lobe, Material, MaterialError, Shine};
 use radiosity::radiometry::cosine_direction;
 use radiosity::random::Stream;
 use std::f64::consts::{PI, TAU};
@@ -28,10 +28,14 @@ fn phong() -> impl Strategy<Value = Lobe> {
     (-3.0..6.0).prop_map(|d: f64| Lobe::Phong { exponent: 10f64.powf(d) })
 }
 
-fn material(diffuse: f64, specular: f64) -> Result<Material, MaterialError> {
+fn material(
+    diffuse: f64,
+    specular: f64,
+    exponent: f64,
+) -> Result<Material, MaterialError> {
     let coefficients = Coefficients {
         diffuse: Rgb::splat(diffuse),
-        specular: Rgb::splat(specular),
+        shine: Shine::Gloss { reflectance: Rgb::splat(specular), exponent },
         ..Coefficients::default()
     };
     Material::new("shiny", coefficients)
@@ -55,7 +59,7 @@ proptest! {
     #[test]
     fn reciprocity(wi in upper(), wo in upper(), lobe in phong(), ks in 0.0..0.5) {
         prop_assert_eq!(lobe.value(wi, wo), lobe.value(wo, wi));
-        let brdf = material(0.5, ks).unwrap().brdf(7.0);
+        let brdf = material(0.5, ks, 7.0).unwrap().brdf();
         prop_assert_eq!(brdf.value(wi, wo), brdf.value(wo, wi));
     }
 
@@ -81,7 +85,7 @@ proptest! {
     fn a_material_is_passive(
         kd in 0.0..1.0, share in 0.0..=1.0, n in 0.0..1000.0, cosine in 0.0..=1.0,
     ) {
-        let brdf = material(kd, share * (1.0 - kd)).unwrap().brdf(n);
+        let brdf = material(kd, share * (1.0 - kd), n).unwrap().brdf();
         prop_assert!(brdf.albedo(cosine).max_element() <= 1.0 + ACCURACY);
     }
 
@@ -197,7 +201,7 @@ fn samples_follow_their_density() {
         let (chi, most) =
             chi_square(|u| lambert.sample(wo, u), |w| lambert.pdf(w, wo), 40_000);
         assert!(chi < most, "{cosine}: {chi} {most}");
-        let brdf = material(0.3, 0.6).unwrap().brdf(12.0);
+        let brdf = material(0.3, 0.6, 12.0).unwrap().brdf();
         let (chi, most) =
             chi_square(|u| brdf.sample(wo, u), |w| brdf.pdf(w, wo), 40_000);
         assert!(chi < most, "both, {cosine}: {chi} {most}");
@@ -262,10 +266,10 @@ fn a_narrow_phong_lobe_is_no_mirror() {
 /// Failures 48 and 69: what would create light is refused, and the message says how much.
 #[test]
 fn what_creates_light_is_no_material() {
-    let both = material(0.7, 0.7).unwrap_err();
+    let both = material(0.7, 0.7, 0.0).unwrap_err();
     assert!(both.to_string().contains("1.4"), "{both}");
     assert!(matches!(both, MaterialError::NotPassive { .. }));
-    assert!(matches!(material(1.0, 0.0), Err(MaterialError::Diffuse { .. })));
+    assert!(matches!(material(1.0, 0.0, 0.0), Err(MaterialError::Diffuse { .. })));
     // A perfect mirror is passive: in a room, light still dies on the other walls.
-    assert!(material(0.0, 1.0).is_ok());
+    assert!(material(0.0, 1.0, 0.0).is_ok());
 }

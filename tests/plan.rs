@@ -1,7 +1,7 @@
 //! What is decided changes with the scene, and what is predicted is nearly what is spent.
 
 use radiosity::geometry::Rgb;
-use radiosity::material::{Coefficients, Material};
+use radiosity::material::{Coefficients, Material, Shine};
 use radiosity::plan::{Plan, Way};
 use radiosity::scene::{Scene, built_in, builtins};
 use radiosity::solve::Ask;
@@ -140,7 +140,8 @@ fn specular_materials_are_told() {
     let shiny = painted(scene("l-room"), |emission, diffuse| Coefficients {
         emission,
         diffuse,
-        specular: Rgb::splat(0.1),
+        shine: Shine::Mirror { reflectance: Rgb::splat(0.1) },
+        ..Default::default()
     });
     assert!(why(&Plan::of(&shiny, 0.01), "pass 2").contains("counts as absorbed"));
 }

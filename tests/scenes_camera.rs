@@ -1,7 +1,7 @@
 //! The camera that a scene gets when it brings none.
 
 use glam::{DVec3, dvec3};
-use radiosity::scene::{Camera, FaceId, MaterialId, Scene, Surface, built_in};
+use radiosity::scene::{Camera, FaceId, MaterialId, Scene, Side, Surface, built_in};
 
 fn scene(name: &str) -> Scene {
     built_in(name).unwrap_or_else(|error| panic!("{error}"))
@@ -53,6 +53,8 @@ fn an_object_is_seen_from_outside_and_a_sheet_from_its_front() {
             polygon: s.polygon.clone(),
             material: MaterialId(0),
             face: FaceId(0),
+            side: Side::Front,
+            back: None,
         };
         let camera = Camera::showing(&[sheet], DVec3::Y);
         assert!(s.polygon.plane().height(camera.eye) > 0.1, "{camera:?}");

@@ -5,7 +5,7 @@ mod common;
 use common::{cases, within};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use radiosity::geometry::Rgb;
-use radiosity::material::{Brdf, Coefficients, Lobe, Material};
+use radiosity::material::{Brdf, Coefficients, Lobe, Material, Shine};
 use radiosity::radiometry::cosine_power_integral;
 use serde_json::Value;
 use std::f64::consts::PI;
@@ -37,10 +37,10 @@ fn cosine(case: &Value) -> f64 {
 fn brdf(diffuse: f64, specular: f64, exponent: f64) -> Brdf {
     let coefficients = Coefficients {
         diffuse: Rgb::splat(diffuse),
-        specular: Rgb::splat(specular),
+        shine: Shine::Gloss { reflectance: Rgb::splat(specular), exponent },
         ..Coefficients::default()
     };
-    Material::new("of the table", coefficients).unwrap().brdf(exponent)
+    Material::new("of the table", coefficients).unwrap().brdf()
 }
 
 /// In a glow of radiance 1 from everywhere, what leaves towards `wo`: by even points

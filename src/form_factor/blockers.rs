@@ -9,6 +9,7 @@
 
 use super::blocker::Blocker;
 use crate::geometry::{Frame, Plane, Polygon};
+use crate::material::Shine;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 use glam::DVec3;
@@ -31,9 +32,17 @@ impl Blockers {
         let margin = 1e-9 * scene.diagonal();
         let surfaces: Vec<&Polygon> =
             scene.surfaces.iter().map(|s| &s.polygon).collect();
-        let in_plane = |p: &Polygon| {
+        // Light goes through panes: no wall has any, and none blocks.
+        let pane = |k: usize| {
+            let shine = scene.material(&scene.surfaces[k]).shine();
+            matches!(shine, Shine::Pane { .. })
+        };
+        let in_plane = |k: usize| {
+            let p = surfaces[k];
             let [x, y, z] = (1.2345e8 * p.normal()).to_array();
-            [x, y, z, p.plane().offset / (1.2345 * margin)].map(|v| v.round() as i64)
+            let offset = p.plane().offset / (1.2345 * margin);
+            let [x, y, z, offset] = [x, y, z, offset].map(|v| v.round() as i64);
+            [x, y, z, offset, i64::from(pane(k))]
         };
         let (wall_of, tiles) = joined(&surfaces, margin, in_plane);
         let walls: Vec<Polygon> = tiles.iter().map(|t| hull(t, &surfaces)).collect();
@@ -45,7 +54,10 @@ impl Blockers {
             heights().any(|h| h > margin) && heights().any(|h| h < -margin)
         };
         let mut sheets = Vec::new();
-        for (wall, tiles) in walls.iter().zip(&tiles).filter(|(wall, _)| blocks(wall)) {
+        for (wall, tiles) in walls.iter().zip(&tiles) {
+            if pane(tiles[0]) || !blocks(wall) {
+                continue;
+            }
             let area: f64 = tiles.iter().map(|&t| surfaces[t].area()).sum();
             if (wall.area() - area).abs() <= 1e-9 * area {
                 sheets.push(wall.clone());
@@ -109,7 +121,7 @@ const MOST_FACES: usize = 64;
 /// Joins sheets that make a convex solid: the blockers, and for each sheet its blocker.
 fn solids(sheets: &[Polygon], margin: f64) -> (Vec<Blocker>, Vec<u32>) {
     let sheets: Vec<&Polygon> = sheets.iter().collect();
-    let (_, parts) = joined(&sheets, margin, |_| [0; 4]);
+    let (_, parts) = joined(&sheets, margin, |_| [0; 5]);
     let mut blockers = Vec::new();
     let mut owner = vec![0; sheets.len()];
     for part in parts {
@@ -133,16 +145,16 @@ fn solids(sheets: &[Polygon], margin: f64) -> (Vec<Blocker>, Vec<u32>) {
 fn joined(
     polygons: &[&Polygon],
     margin: f64,
-    class: impl Fn(&Polygon) -> [i64; 4],
+    class: impl Fn(usize) -> [i64; 5],
 ) -> (Vec<u32>, Vec<Vec<usize>>) {
     // The odd factor keeps round numbers off the border between two quanta.
     let quantum = 1.2345 * margin;
     let mut parent: Vec<usize> = (0..polygons.len()).collect();
-    let mut seen: HashMap<([i64; 4], [i64; 3]), usize> = HashMap::new();
+    let mut seen: HashMap<([i64; 5], [i64; 3]), usize> = HashMap::new();
     for (id, polygon) in polygons.iter().enumerate() {
         for &corner in polygon.vertices() {
             let place = (corner / quantum).to_array().map(|x| x.round() as i64);
-            let other = *seen.entry((class(polygon), place)).or_insert(id);
+            let other = *seen.entry((class(id), place)).or_insert(id);
             let (a, b) = (root(&mut parent, id), root(&mut parent, other));
             parent[a.max(b)] = a.min(b);
         }

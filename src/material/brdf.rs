@@ -1,6 +1,6 @@
 //! BRDFs: how a surface scatters what arrives from one direction into all others.
 
-use super::Material;
+use super::{Material, Shine};
 use crate::geometry::{Frame, Rgb};
 use crate::radiometry::cosine_direction;
 use glam::{DVec2, DVec3, dvec2, dvec3};
@@ -197,10 +197,14 @@ pub struct Brdf {
 }
 
 impl Material {
-    /// Its BRDF, with a gloss lobe of this finite `exponent ≥ 0` for its specular part.
-    pub fn brdf(&self, exponent: f64) -> Brdf {
-        debug_assert!(exponent >= 0.0 && exponent.is_finite(), "exponent: {exponent}");
-        Brdf { diffuse: self.diffuse(), specular: self.specular(), exponent }
+    /// Its BRDF: what it scatters diffusely, and its gloss. What it mirrors or passes
+    /// leaves in single directions and has no BRDF.
+    pub fn brdf(&self) -> Brdf {
+        let (specular, exponent) = match self.shine() {
+            Shine::Gloss { reflectance, exponent } => (reflectance, exponent),
+            _ => (Rgb::ZERO, 0.0),
+        };
+        Brdf { diffuse: self.diffuse(), specular, exponent }
     }
 }
 

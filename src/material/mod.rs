@@ -15,14 +15,25 @@
 //! | [`Lobe::Lambert`]  | it looks alike from everywhere      | it shines                   |
 //! | [`Lobe::Phong`]    | a highlight is wanted               | at a slant: loses up to all |
 //! | [`Material::brdf`] | both at once                        | as its lobes do             |
+//! | [`Shine`]          | it mirrors, glosses or is glass     | light is polarised          |
+//! | [`optics`]         | light meets a smooth face           | films are thin: interference|
 //!
-//! **Not here:** transmittance, Fresnel's law and mirrors. Chapters *How surfaces scatter*
-//! (L04) and *Albedo* (L05). Sources: Nicodemus et al. 1977; Phong 1975; Lewis 1993;
-//! Lafortune & Willems 1994; Arvo 1995.
+//! What is diffuse and what shines stands side by side, and shares:
+//!
+//! ```text
+//! Kd + Td < 1      Kd + Td + Ks ≤ 1      panes, glass: (1 − Kd − Td) of Fresnel's R and T
+//! ```
+//!
+//! **Not here:** textures. Chapters *How surfaces scatter* (L04), *Albedo* (L05) and
+//! *Mirrors and windows* (L17, L18). Sources: Fresnel 1823; Nicodemus et al. 1977; Phong
+//! 1975; Lewis 1993; Lafortune & Willems 1994; Arvo 1995.
 
 mod brdf;
+pub mod optics;
+mod shine;
 
 pub use brdf::{Brdf, Lobe};
+pub use shine::Shine;
 
 use crate::geometry::Rgb;
 use std::fmt;
@@ -34,8 +45,10 @@ pub struct Coefficients {
     pub emission: Rgb,
     /// `Kd`: diffuse reflectance `ρ`, in `[0, 1)`.
     pub diffuse: Rgb,
-    /// `Ks`: specular reflectance, in `[0, 1]`; `Kd + Ks ≤ 1`.
-    pub specular: Rgb,
+    /// `Td`: diffuse transmittance `τ`, in `[0, 1)`, of either side; `Kd + Td < 1`.
+    pub translucence: Rgb,
+    /// What it does besides scattering diffusely.
+    pub shine: Shine,
 }
 
 /// A passive material.
@@ -57,19 +70,28 @@ pub enum MaterialError {
         /// Its value.
         value: Rgb,
     },
-    /// Diffuse reflectance of 1 or more in a channel.
+    /// Diffuse reflectance and transmittance of 1 or more in a channel.
     Diffuse {
         /// The material's name.
         material: String,
-        /// Its `Kd`.
+        /// Its `Kd + Td`.
         value: Rgb,
     },
     /// More light leaves than arrives.
     NotPassive {
         /// The material's name.
         material: String,
-        /// `Kd + Ks`.
+        /// `Kd + Td + Ks`.
         sum: Rgb,
+    },
+    /// A refractive index, gloss exponent or tint that none can be.
+    Shine {
+        /// The material's name.
+        material: String,
+        /// Which key.
+        key: &'static str,
+        /// What is wrong with its value.
+        fault: String,
     },
 }
 
@@ -85,16 +107,19 @@ impl fmt::Display for MaterialError {
             ),
             MaterialError::Diffuse { material, value } => write!(
                 f,
-                "material `{material}` reflects {} of the light it gets; every channel of Kd \
-                 must be < 1; lower Kd",
+                "material `{material}` reflects and transmits {} of the light it gets; every \
+                 channel of Kd + Td must be < 1; lower Kd or Td",
                 rgb(value)
             ),
             MaterialError::NotPassive { material, sum } => write!(
                 f,
-                "material `{material}` reflects {} of the light it gets; every channel of \
-                 Kd + Ks must be ≤ 1; lower Kd or Ks",
+                "material `{material}` reflects and transmits {} of the light it gets; every \
+                 channel of Kd + Td + Ks must be ≤ 1; lower Kd, Td or Ks",
                 rgb(sum)
             ),
+            MaterialError::Shine { material, key, fault } => {
+                write!(f, "material `{material}` has {key} {fault}")
+            }
         }
     }
 }
@@ -105,24 +130,32 @@ impl Material {
     /// Checks that the material is passive.
     ///
     /// # Errors
-    /// When a coefficient is negative or not finite, when `Kd ≥ 1`, or when
-    /// `Kd + Ks > 1 + 1e-9` in some channel.
+    /// When a coefficient is negative or not finite, when `Kd + Td ≥ 1`, when
+    /// `Kd + Td + Ks > 1 + 1e-9` in some channel, or when the index of refraction, the
+    /// gloss exponent or the tint is out of range ([`Shine`]).
     pub fn new(
         name: impl Into<String>,
         coefficients: Coefficients,
     ) -> Result<Material, MaterialError> {
         let name = name.into();
-        let Coefficients { emission, diffuse, specular } = coefficients;
-        for (key, value) in [("Ke", emission), ("Kd", diffuse), ("Ks", specular)] {
+        let Coefficients { emission, diffuse, translucence, shine } = coefficients;
+        let specular = shine.reflectance();
+        for (key, value) in
+            [("Ke", emission), ("Kd", diffuse), ("Td", translucence), ("Ks", specular)]
+        {
             if !(value.is_finite() && value.min_element() >= 0.0) {
                 return Err(MaterialError::NotANumber { material: name, key, value });
             }
         }
-        // ANCHOR: passive
-        if diffuse.max_element() >= 1.0 {
-            return Err(MaterialError::Diffuse { material: name, value: diffuse });
+        if let Some((key, fault)) = shine.fault() {
+            return Err(MaterialError::Shine { material: name, key, fault });
         }
-        let sum = diffuse + specular;
+        // ANCHOR: passive
+        let diffused = diffuse + translucence;
+        if diffused.max_element() >= 1.0 {
+            return Err(MaterialError::Diffuse { material: name, value: diffused });
+        }
+        let sum = diffused + specular;
         if sum.max_element() > 1.0 + 1e-9 {
             return Err(MaterialError::NotPassive { material: name, sum });
         }
@@ -145,9 +178,35 @@ impl Material {
         self.coefficients.diffuse
     }
 
-    /// Specular reflectance of the front, in `[0, 1]`.
-    pub fn specular(&self) -> Rgb {
-        self.coefficients.specular
+    /// Diffuse transmittance `τ`, in `[0, 1)`, the same from either side.
+    pub fn translucence(&self) -> Rgb {
+        self.coefficients.translucence
+    }
+
+    /// What it does besides scattering diffusely.
+    pub fn shine(&self) -> Shine {
+        self.coefficients.shine
+    }
+
+    /// Of the light that meets it, the share that Fresnel's law has for reflection and
+    /// refraction: what neither `Kd` nor `Td` takes. In `(0, 1]`.
+    pub fn smooth_share(&self) -> Rgb {
+        Rgb::ONE - self.diffuse() - self.translucence()
+    }
+
+    /// The material of the other side of a face: the same but for light of its own and,
+    /// unless it is `two_sided`, for what an opaque face does on its front only.
+    pub fn back(&self, two_sided: bool) -> Material {
+        let mut back = self.clone();
+        let all = &mut back.coefficients;
+        all.emission = Rgb::ZERO;
+        if !two_sided {
+            all.diffuse = Rgb::ZERO;
+            if !all.shine.passes() {
+                all.shine = Shine::Dull;
+            }
+        }
+        back
     }
 
     /// Does it send light of its own?

@@ -1,9 +1,10 @@
 //! A scene written as OBJ and MTL, such that [`load`](super::load) makes the same scene.
 
 use crate::geometry::Rgb;
+use crate::material::Shine;
 use crate::scene::{Camera, Scene};
 use glam::DVec3;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -50,7 +51,10 @@ fn material_names(scene: &Scene) -> Vec<String> {
 
 fn mtl_text(scene: &Scene, names: &[String]) -> String {
     let mut text = format!("# materials of {}\n", one_line(&scene.name));
-    for (material, name) in scene.materials.iter().zip(names) {
+    // Not those of backs, which come of themselves.
+    let named: HashSet<u32> = scene.faces.iter().map(|f| f.material.0).collect();
+    let all = (0u32..).zip(scene.materials.iter().zip(names));
+    for (_, (material, name)) in all.filter(|(k, _)| named.contains(k)) {
         let rgb = |key: &str, c: Rgb| match c {
             Rgb::ZERO => String::new(),
             Rgb { x, y, z } => format!("{key} {x} {y} {z}\n"),
@@ -58,12 +62,23 @@ fn mtl_text(scene: &Scene, names: &[String]) -> String {
         let Rgb { x, y, z } = material.diffuse();
         let _ = write!(text, "\nnewmtl {name}\nKd {x} {y} {z}\n");
         text += &rgb("Ke", material.emission());
-        text += &rgb("Ks", material.specular());
-        if material.specular() != Rgb::ZERO {
-            text += "illum 3\n";
-        }
+        text += &rgb("Td", material.translucence());
+        text += &match material.shine() {
+            Shine::Dull => String::new(),
+            Shine::Mirror { reflectance } => rgb("Ks", reflectance) + "illum 3\n",
+            Shine::Gloss { reflectance, exponent } => {
+                rgb("Ks", reflectance) + &format!("Ns {exponent}\nillum 2\n")
+            }
+            Shine::Pane { index, tint } => glass(index, tint, 4),
+            Shine::Glass { index, tint } => glass(index, tint, 6),
+        };
     }
     text
+}
+
+fn glass(index: f64, tint: Rgb, model: u32) -> String {
+    let Rgb { x, y, z } = tint;
+    format!("Ni {index}\nTf {x} {y} {z}\nillum {model}\n")
 }
 
 fn obj_text(scene: &Scene, names: &[String], stem: &str) -> String {

@@ -3,7 +3,7 @@
 use super::lines::{Statement, numbers, shown, statements};
 use super::{ObjError, at};
 use crate::geometry::Rgb;
-use crate::material::{Coefficients, Material, MaterialError};
+use crate::material::{Coefficients, Material, MaterialError, Shine};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::io;
@@ -220,38 +220,53 @@ fn transmitted(raw: &tobj::Material) -> Rgb {
 
 /// Makes the material, or says which key forbids it.
 fn passive(raw: &tobj::Material) -> Result<Material, Note> {
-    let specular = if is_glass(raw) { Rgb::ZERO } else { rgb(raw.specular) };
-    let (emission, diffuse) = (rgb(raw.emissive), rgb(raw.diffuse));
-    let material =
-        Material::new(&raw.name, Coefficients { emission, diffuse, specular })
-            .map_err(|error| {
-                let key = match error {
-                    MaterialError::NotANumber { key, .. } => key,
-                    MaterialError::Diffuse { .. } => "Kd",
-                    MaterialError::NotPassive { .. } => "Ks",
-                };
-                (key, error.to_string())
-            })?;
-    let td = transmitted(raw);
-    if td.min_element() < 0.0 {
-        return Err((
-            "Td",
-            format!("material `{}` has a negative Td; raise it", raw.name),
-        ));
+    let coefficients = Coefficients {
+        emission: rgb(raw.emissive),
+        diffuse: rgb(raw.diffuse),
+        translucence: transmitted(raw),
+        shine: shine(raw),
+    };
+    Material::new(&raw.name, coefficients).map_err(|error| {
+        let key = match error {
+            MaterialError::NotANumber { key, .. }
+            | MaterialError::Shine { key, .. } => key,
+            MaterialError::Diffuse { .. } => "Kd",
+            MaterialError::NotPassive { .. } => "Ks",
+        };
+        (key, error.to_string())
+    })
+}
+
+/// The gloss exponent where none is given: a wide highlight.
+const DEFAULT_GLOSS: f64 = 10.0;
+
+/// What the illumination model makes of `Ks`, `Ns`, `Ni` and `Tf`.
+fn shine(raw: &tobj::Material) -> Shine {
+    let reflectance = rgb(raw.specular);
+    let index = raw.optical_density.unwrap_or(1.5);
+    match raw.illumination_model {
+        Some(4 | 9) => Shine::Pane { index, tint: tint(raw) },
+        Some(6 | 7) => Shine::Glass { index, tint: tint(raw) },
+        _ if reflectance == Rgb::ZERO => Shine::Dull,
+        Some(3 | 5 | 8) => Shine::Mirror { reflectance },
+        _ => {
+            let exponent = raw.shininess.unwrap_or(DEFAULT_GLOSS);
+            Shine::Gloss { reflectance, exponent }
+        }
     }
-    let both = diffuse + td;
-    let all = both + specular;
-    if td != Rgb::ZERO && (both.max_element() >= 1.0 || all.max_element() > 1.0 + 1e-9)
-    {
-        let message = format!(
-            "material `{}` reflects and transmits {} of the light it gets; every channel \
-             of Kd + Td must be < 1, and with Ks ≤ 1; lower Td, Kd or Ks",
-            raw.name,
-            tuple(all)
-        );
-        return Err(("Td", message));
+}
+
+/// `Tf`; else `d`, else `1 − Tr`, else 1.
+fn tint(raw: &tobj::Material) -> Rgb {
+    let given = |key: &str| numbers(raw.unknown_param.get(key)?).ok();
+    if let Some(&[r, g, b]) = given("Tf").as_deref() {
+        return Rgb::new(r, g, b);
     }
-    Ok(material)
+    match (raw.dissolve, given("Tr").as_deref()) {
+        (Some(d), _) => Rgb::splat(d),
+        (None, Some(&[tr])) => Rgb::splat(1.0 - tr),
+        _ => Rgb::ONE,
+    }
 }
 
 /// What of the material is read but not carried by this version, or ignored.
@@ -264,24 +279,6 @@ fn notes(raw: &tobj::Material) -> Vec<Note> {
         }
     };
     let glass = is_glass(raw);
-    note(
-        glass,
-        "illum",
-        "is glass, which is not carried yet: what it would pass or mirror counts as \
-         absorbed; remove the face, or give it an `illum` below 3",
-    );
-    note(
-        !glass && rgb(raw.specular) != Rgb::ZERO,
-        "Ks",
-        "is specular, which is not carried yet: that share counts as absorbed; move Ks to \
-         Kd to keep its light",
-    );
-    note(
-        transmitted(raw) != Rgb::ZERO,
-        "Td",
-        "transmits, which is not carried yet: that share counts as absorbed; move Td to \
-         Kd to keep its light",
-    );
     let opaque = "is partly transparent but no glass (illum 4, 6, 7 or 9); it is taken as \
                   opaque";
     note(!glass && raw.dissolve.is_some_and(|d| d != 1.0), "d", opaque);

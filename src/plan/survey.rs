@@ -82,7 +82,7 @@ impl Survey {
             found.emitters += material.emits() as usize;
             found.brightest = found.brightest.max(material.diffuse().max_element());
             mean += share * material.diffuse();
-            specular[surface.material.0 as usize] |= material.specular() != Rgb::ZERO;
+            specular[surface.material.0 as usize] |= !material.shine().is_dull();
         }
         found.mean_reflectance = mean.max_element();
         found.specular = specular.into_iter().filter(|&s| s).count();

@@ -1,8 +1,9 @@
 //! From faces to surfaces: splits what is not convex or not planar, settles overlaps.
 
-use super::{Camera, Face, FaceId, Scene, Surface, overlap};
-use crate::geometry::{PolygonError, split};
+use super::{Camera, Face, FaceId, MaterialId, Scene, Side, Surface, overlap};
+use crate::geometry::{PolygonError, Rgb, split};
 use crate::material::Material;
+use std::collections::HashMap;
 use std::fmt;
 
 /// What was repaired on the way from faces to surfaces.
@@ -112,14 +113,59 @@ impl Scene {
             {
                 warnings.push(Warning::Split { face, pieces, reason });
             }
-            let surface = |polygon| Surface { polygon, material: *material, face };
+            let surface = |polygon| Surface {
+                polygon,
+                material: *material,
+                face,
+                side: Side::Front,
+                back: None,
+            };
             surfaces.extend(polygons.into_iter().map(surface));
         }
         let surfaces = overlap::settled(surfaces, faces.len(), &mut warnings);
         let camera =
             camera.unwrap_or_else(|| Camera::showing(&surfaces, glam::DVec3::Y));
-        let scene =
+        let mut scene =
             Scene { name: name.into(), faces, surfaces, materials, camera, sky: None };
+        scene.add_backs(|material| material.translucence() != Rgb::ZERO, false);
         Ok((scene, warnings))
+    }
+
+    /// The same scene with all opaque faces reflecting on both sides.
+    pub fn two_sided(mut self) -> Scene {
+        self.add_backs(|material| !material.shine().passes(), true);
+        self
+    }
+
+    /// Gives all surfaces of front sides that are `wanted` and have none a back: a second
+    /// surface in the same place that looks the other way. Those that have one already get
+    /// its material anew.
+    fn add_backs(&mut self, wanted: impl Fn(&Material) -> bool, two_sided: bool) {
+        let mut material_of_back: HashMap<u32, MaterialId> = HashMap::new();
+        for k in 0..self.surfaces.len() {
+            let front = self.surfaces[k].clone();
+            let material = self.material(&front);
+            if front.side == Side::Back || !wanted(material) {
+                continue;
+            }
+            let next = MaterialId(self.materials.len() as u32);
+            let id = *material_of_back.entry(front.material.0).or_insert(next);
+            if id == next {
+                self.materials.push(material.back(two_sided));
+            }
+            match front.back {
+                Some(back) => self.surfaces[back as usize].material = id,
+                None => {
+                    self.surfaces[k].back = Some(self.surfaces.len() as u32);
+                    self.surfaces.push(Surface {
+                        polygon: front.polygon.flipped(),
+                        material: id,
+                        side: Side::Back,
+                        back: Some(k as u32),
+                        ..front
+                    });
+                }
+            }
+        }
     }
 }

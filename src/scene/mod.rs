@@ -7,6 +7,7 @@
 //! ```text
 //! face ─ split, less what covers it ─▶ surfaces ─ mesh ─▶ patches ─▶ elements
 //! ```
+//! What acts on both its sides is two surfaces, back to back.
 //!
 //! | made by             | from                                                |
 //! |---------------------|-----------------------------------------------------|
@@ -49,7 +50,7 @@ pub struct Face {
     pub material: MaterialId,
 }
 
-/// A convex planar piece of a face.
+/// A convex planar piece of one side of a face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     /// Its outline; the front is where light is emitted and reflected.
@@ -58,6 +59,21 @@ pub struct Surface {
     pub material: MaterialId,
     /// The face that it is (part of).
     pub face: FaceId,
+    /// Which side of the face.
+    pub side: Side,
+    /// The surface that is its other side, in the same place; `None` where that side is
+    /// black, or where light goes straight through.
+    pub back: Option<u32>,
+}
+
+/// Which side of a face a surface is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// From where its corners run counter-clockwise.
+    #[default]
+    Front,
+    /// The other: a face that lets light through diffusely, or is two-sided, has two.
+    Back,
 }
 
 /// Surfaces, materials, a camera.
@@ -67,7 +83,7 @@ pub struct Scene {
     pub name: String,
     /// All faces as they were given, indexed by [`FaceId`].
     pub faces: Vec<Face>,
-    /// All pieces of all faces, in order of faces. No two of them that look the same way
+    /// All pieces of all faces, in order of faces, fronts before backs. No two of them that look the same way
     /// overlap. A face that others cover wholly has none.
     pub surfaces: Vec<Surface>,
     /// All materials, indexed by [`MaterialId`].
@@ -88,10 +104,15 @@ impl Scene {
     /// squared.
     pub fn face_areas(&self) -> Vec<f64> {
         let mut areas = vec![0.0; self.faces.len()];
-        for surface in &self.surfaces {
+        for surface in self.fronts() {
             areas[surface.face.0 as usize] += surface.polygon.area();
         }
         areas
+    }
+
+    /// The surfaces that are fronts of faces.
+    pub fn fronts(&self) -> impl Iterator<Item = &Surface> {
+        self.surfaces.iter().filter(|s| s.side == Side::Front)
     }
 
     /// The box that holds all surfaces.

@@ -4,7 +4,7 @@
 use glam::{DVec3, dvec3};
 use radiosity::film::{Picture, RgbImage};
 use radiosity::geometry::{Frame, Rgb};
-use radiosity::material::{Brdf, Coefficients, Lobe, Material};
+use radiosity::material::{Brdf, Coefficients, Lobe, Material, Shine};
 use std::f64::consts::{PI, TAU};
 
 /// Pixels along an edge of a ball's picture.
@@ -60,10 +60,10 @@ fn ball(radiance: impl Fn(Option<DVec3>) -> Rgb) -> Picture {
 pub fn brdf(exponent: f64) -> Brdf {
     let coefficients = Coefficients {
         diffuse: DIFFUSE,
-        specular: Rgb::splat(SPECULAR),
+        shine: Shine::Gloss { reflectance: Rgb::splat(SPECULAR), exponent },
         ..Coefficients::default()
     };
-    Material::new("paint", coefficients).expect("the paint is passive").brdf(exponent)
+    Material::new("paint", coefficients).expect("the paint is passive").brdf()
 }
 
 /// The ball under the lamp: `L = f H cosθ`, and the glow that it sends back.

@@ -17,6 +17,7 @@ pub mod obj;
 pub mod mesh;
 pub mod raster;
 pub mod visibility;
+pub mod specular;
 pub mod form_factor;
 pub mod solve;
 pub mod film;

@@ -96,6 +96,15 @@ impl How {
     /// The way that the options describe, if they make sense.
     pub fn way(&self, seed: u64) -> Result<Way, Refusal> {
         let tolerance = values::positive("--tolerance", self.tolerance)?;
+        let own = self.form_factors != FactorMethod::Auto || self.samples.is_some();
+        if self.method == SolverMethod::Hierarchy && own {
+            return Err(Refusal(
+                "--method hierarchy has form factors of its own, one for each link, and \
+                 takes no --form-factors and no --samples; leave these out, or choose \
+                 gather or shoot"
+                    .into(),
+            ));
+        }
         let rays = samples(self.samples, self.form_factors)?.unwrap_or(RAYS);
         let method = match (self.method, self.form_factors) {
             (SolverMethod::Auto, FactorMethod::Auto) => {

@@ -162,6 +162,22 @@ fn numbers_with_which_nothing_can_be_done() {
 }
 
 #[test]
+fn factors_for_a_solver_that_has_its_own() {
+    let folder = Folder::new();
+    for factors in [
+        "--form-factors hemicube",
+        "--form-factors sampling --samples 100",
+        "--samples 100",
+    ] {
+        let words = ["--method hierarchy", "leave", "gather or shoot"];
+        let options = format!("--method hierarchy {factors}");
+        refused(&folder, &format!("solve furnace -o old.csv {options}"), &words);
+    }
+    let own = "solve furnace -o new.csv --method hierarchy --form-factors auto";
+    folder.run(own).done();
+}
+
+#[test]
 fn a_file_that_cannot_be_written() {
     let folder = Folder::new();
     let gone = "gone/x.csv";

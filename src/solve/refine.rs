@@ -6,8 +6,8 @@
 //! ```
 //! An element is asked at its centre and in the middle of its edges, where its parts would
 //! have their corners: there the interpolation `H̃` is held against the light itself. The
-//! elements with the largest errors are split, those that make up half of the square of
-//! the error at a time, until the rest is small enough. Near lamps and at shadow boundaries
+//! elements with the largest errors are split, those that make up 60 % of the square of the
+//! error at a time, until what is left is small enough. Near lamps and at shadow boundaries
 //! this is often, elsewhere never.
 //!
 //! **Fails** when something shows at none of these points: a bright spot in the middle of
@@ -47,9 +47,9 @@ pub(super) struct Refinement<'a> {
     pub most: usize,
 }
 
-/// Splitting what makes up half of the error should take away a third of it. When what is
-/// left is more than this share of the least so far, so many times in a row, then what is
-/// split is noise, which does not fall.
+/// Splitting what makes up most of the error should take away much of it. When what is left
+/// is more than this share of the least so far, so many times in a row, then what is split
+/// is noise, which does not fall.
 const NO_GAIN: f64 = 0.9;
 const IN_VAIN: usize = 2;
 

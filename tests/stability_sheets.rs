@@ -19,7 +19,7 @@ fn row_57_a_sheet_may_reflect_as_much_as_it_passes() {
     let room = scene(box_walls([1.0, 1.0, 0.5]).map(|wall| (wall, 1.0, 0.5)));
     let mesh = Mesh::whole(&room);
     let factors = rows(&exact_factors(&mesh));
-    let light = |rho: f64, tau: f64| {
+    let light = |rho: f64, tau: f64, accuracy: f64| {
         let b = 2.0; // of walls with E = 1 and ρ = 1/2
         let mut enclosure = Enclosure::of(&room, &mesh);
         enclosure.area.extend(enclosure.area.clone());
@@ -40,20 +40,19 @@ fn row_57_a_sheet_may_reflect_as_much_as_it_passes() {
         let matrix = Matrix::from_rows(
             all.iter().map(|r| Row::of(r, Lost::default())).collect(),
         );
-        gathered(&enclosure, &matrix, 1e-13, 10_000)
+        gathered(&enclosure, &matrix, accuracy, 10_000)
     };
     for (rho, tau) in [(0.4, 0.1), (0.4, 0.4), (0.4, 0.4 + 1e-9), (0.495, 0.495)] {
-        for b in light(rho, tau) {
+        for b in light(rho, tau, 1e-13) {
             assert!((b.x - 2.0).abs() < 1e-9, "{rho} {tau}: {b}");
         }
     }
-    // The other way round: numbers good to 1e-12, divided by ρ² − τ².
-    let recovered = |rho: f64, tau: f64| {
-        let (up, low) = (1.0 + 1e-12, 1.0 - 1e-12);
-        (rho * up - tau * low) / (rho * rho - tau * tau) * (rho + tau)
-    };
-    let off = (recovered(0.4, 0.4 - 1e-9) - 1.0).abs();
-    let theory = 1e-12 * 0.8 / 1e-9;
-    assert!((off / theory - 1.0).abs() < 0.01, "{off} {theory}");
-    assert!(!recovered(0.4, 0.4).is_finite());
+    // What fell on the two faces, out of what left them: radiosities of a solver that is
+    // stopped early are good to 1e-6, and what comes of them is off by 45 times itself.
+    let (rho, tau) = (0.4, 0.4 - 1e-9);
+    let b = light(rho, tau, 1e-6);
+    assert!(b.iter().all(|b| (b.x - 2.0).abs() < 1e-5), "{b:?}");
+    let [low, up] = SHEET.map(|face| b[face].x - 2.0 * (1.0 - rho - tau));
+    let recovered = (rho * up - tau * low) / (rho * rho - tau * tau);
+    assert!((recovered - 2.0).abs() > 2.0, "{recovered}");
 }

@@ -3,15 +3,15 @@
 
 mod common;
 
-use common::cases;
 use common::rooms::{face_means, gathered, solved_by};
+use common::{cases, within};
 use radiosity::form_factor::FormFactors;
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::geometry::Rgb;
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{Brightest, Enclosure, Shoot};
+use radiosity::solve::{Ask, Brightest, Enclosure, Shoot, automatic, resolution_for};
 
 const FACES: [&str; 16] = [
     "floor", "back", "green", "red", "ceiling", "light", "short0", "short1", "short2",
@@ -117,5 +117,62 @@ fn direct_irradiance() {
         let (got, expected) = (power[k] / area, expected.unwrap());
         let own = number("uncertainty_per_face");
         assert!((got - expected).abs() <= own, "{}: {got}, not {expected}", FACES[k]);
+    }
+}
+
+/// `ρ H` of the faces by two million unbiased walks each (`gather_unbiased` over
+/// `Mesh::whole`, seed 11): mW/m² for the channels R and G, and the standard errors in
+/// per cent. The lamp emits 1 W/m².
+const WALKED: [([f64; 2], [f64; 2]); 16] = [
+    ([6.2205, 6.3420], [0.08, 0.08]),   // floor
+    ([9.4397, 9.5199], [0.07, 0.07]),   // back
+    ([0.9606, 5.6394], [0.06, 0.06]),   // green
+    ([6.1840, 0.5949], [0.07, 0.07]),   // red
+    ([5.4254, 5.2186], [0.08, 0.08]),   // ceiling
+    ([1000.0; 2], [0.0; 2]),            // light
+    ([18.2553, 18.8925], [0.03, 0.03]), // short0
+    ([5.9044, 4.7544], [0.09, 0.10]),   // short1
+    ([0.7234, 0.5204], [0.28, 0.30]),   // short2
+    ([0.6609, 2.4732], [0.22, 0.15]),   // short3
+    ([5.4126, 7.1704], [0.10, 0.09]),   // short4
+    ([42.2188, 41.0665], [0.03, 0.02]), // tall0
+    ([3.7641, 0.6082], [0.14, 0.25]),   // tall1
+    ([5.3113, 4.2382], [0.11, 0.12]),   // tall2
+    ([4.9877, 7.0131], [0.10, 0.09]),   // tall3
+    ([4.4280, 4.2680], [0.10, 0.11]),   // tall4
+];
+
+/// `--method auto` at 1 %, face by face: within a per cent of what walks find.
+///
+/// The table itself is not that good: the sequence of its meshes had not come to rest on
+/// the blocks' sides that little light falls on. There walks and `auto` agree, and both
+/// are off from the table by more than it says of itself: by 4 and 5 % on `short1`.
+#[test]
+fn what_is_found_automatically_face_by_face() {
+    const NOT_AT_REST: [&str; 5] = ["short1", "short2", "short4", "tall3", "tall4"];
+    let scene = cornell();
+    let ask = Ask::default();
+    let first = resolution_for(&scene, ask.tolerance);
+    let (found, _) = automatic(&scene, first, &ask, &|_, _, _| {});
+    assert!(ask.tolerance == 0.01 && found.converged);
+    let means = face_means(&scene, &found.mesh, &found.radiosity);
+    let tables = cases("F_cornell_radiosity");
+    for (k, channel) in (0..16).flat_map(|k| [(k, 0), (k, 1)]) {
+        let (face, got, table) = (FACES[k], means[k][channel], &tables[channel]);
+        let number = |key: &str| table[key][face].as_f64().unwrap();
+        let expected = table["expected"]["B_face_mean"][face].as_f64().unwrap();
+        let walked = 1e-3 * WALKED[k].0[channel];
+        let noise = 0.01 * WALKED[k].1[channel] * walked;
+        let off = (got - walked).abs();
+        assert!(off <= 0.01 * walked + 3.0 * noise, "{face}: {got}, walks {walked}");
+        if NOT_AT_REST.contains(&face) {
+            let own = number("uncertainty_rel_per_face") * expected;
+            let off = (walked - expected).abs();
+            assert!(off > own + 3.0 * noise, "{face}: the table is right now?");
+        } else {
+            let own = table["uncertainty_abs"].as_f64().unwrap();
+            let near = within(got, expected, 0.01, own);
+            assert!(near, "{face}: {got}, not {expected}");
+        }
     }
 }

@@ -212,8 +212,17 @@ fn a_wrong_field_is_not_certified() {
     for c in runs(&scene, &mesh, &once) {
         assert!(c.high > 0.1 && c.low > 0.05, "{c:?}");
     }
-    for c in runs(&scene, &mesh, &|id, _| enclosure.emission[id.0 as usize]) {
-        assert!((c.error - 1.0).abs() < 1e-9 && c.low > 0.8, "{c:?}");
+    // Error and reflected light are the same here, and each is bounded by itself: of
+    // ±w for both, (1 − w)/(1 + w) is left. w falls as one over the root of the points:
+    // it is 5 to 8 % with so little work, and 1 % with twenty times the points.
+    let emitted = |id: ElementId, _| enclosure.emission[id.0 as usize];
+    for c in runs(&scene, &mesh, &emitted) {
+        assert!((c.error - 1.0).abs() < 1e-9 && c.low > 0.84, "{c:?}");
+    }
+    for seed in 0..5 {
+        let usual = Sampling { seed, ..Default::default() };
+        let c = certify(&scene, &mesh, &emitted, usual);
+        assert!((c.error - 1.0).abs() < 1e-9 && c.low > 0.97, "{c:?}");
     }
 }
 

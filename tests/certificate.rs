@@ -12,7 +12,8 @@ use radiosity::geometry::{Frame, Polygon, Rgb};
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::random::Stream;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{Audit, Certificate, Enclosure, Sampling, audit, certify};
+use radiosity::solve::{Ask, Audit, Certificate, Enclosure, Sampling};
+use radiosity::solve::{audit, automatic, certify, resolution_for};
 use radiosity::visibility::Visibility;
 
 /// So many runs each, and no more than 5 % of them may miss. (Where the true confidence
@@ -224,6 +225,33 @@ fn a_wrong_field_is_not_certified() {
         let c = certify(&scene, &mesh, &emitted, usual);
         assert!((c.error - 1.0).abs() < 1e-9 && c.low > 0.97, "{c:?}");
     }
+}
+
+/// To stop at the first interval that suits is to choose among intervals, and of chosen
+/// ones fewer hold than 95 of 100. The first attempt is certified to 1.9 to 2.2 %:
+/// with 2.05 % asked for, chance decides who goes on. Of 28 intervals that miss with 1 in
+/// 20 each, more than 5 miss with a chance of 0.2 %.
+#[test]
+fn who_stops_when_it_suffices_is_honest() {
+    let scene = lit_cube(0.5);
+    let fine = solved(&scene, 0.125);
+    let first = resolution_for(&scene, 0.05);
+    let (mut missed, mut broken, mut again) = (0, 0, 0);
+    for seed in 0..28 {
+        let ask = Ask { tolerance: 0.0205, seed, ..Ask::default() };
+        let (found, passes) = automatic(&scene, first, &ask, &|_, _, _| {});
+        let (mesh, light) = (&found.mesh, &found.vertex_radiosity);
+        let field = |id: ElementId, x| mesh.value_at(mesh.element(id), x, light);
+        let truth = Truth::of(&scene, mesh, &fine).error(&field);
+        let c = found.certificate;
+        assert!(found.converged, "{c:?}");
+        missed += u32::from(truth < c.low || truth > c.high);
+        broken += u32::from(truth > ask.tolerance);
+        again += u32::from(passes.len() > 1);
+    }
+    println!("{missed} missed, {broken} promises broken, {again} went on");
+    assert!(missed <= 5 && broken <= 5, "{missed} missed, {broken} promises broken");
+    assert!((4..=24).contains(&again), "{again} went on: not left to chance");
 }
 
 /// A field that is right but for one element: both maps show which.

@@ -17,15 +17,28 @@
 //! |--------------------|----------------------------------------|-------------------------|
 //! | [`Sky::uniform`]   | a law is to be checked, fog            | never                   |
 //! | [`Sky::overcast`]  | daylight is predicted: the worst case  | never                   |
+//! | [`Sky::cie`]       | the sun's side is to be brighter       | the sun itself: it has none |
+//! | [`Sky::panorama`]  | a real place is to shine               | detail below a texel    |
 //!
 //! **Not here:** what of the sky an element sees past the scene ([`crate::solve`]); the
 //! image files of pictures ([`crate::film`]).
 //! Chapter *Light from the sky* (L21). Sources: Moon & Spencer 1942 (overcast); CIE S 011 /
 //! ISO 15469 (general skies); Blinn & Newell 1976 (environment maps); Debevec 1998.
 
+mod cie;
+mod file;
+mod grid;
+mod panorama;
+
+pub use cie::cie_coefficients;
+pub use file::{SkyError, SkyTrouble};
+pub use panorama::{Panorama, PanoramaError};
+
 use crate::geometry::Rgb;
+use cie::Cie;
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// Radiance by direction, in W/(m² sr), nowhere negative.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,10 +49,15 @@ pub struct Sky {
     light: Light,
 }
 
+/// A direction drawn at the horizon may be turned beneath it, by rounding.
+const HORIZON: f64 = -1e-12;
+
 #[derive(Clone, Debug, PartialEq)]
 enum Light {
     Uniform(Rgb),
     Overcast(Rgb),
+    Cie(Arc<Cie>),
+    Panorama(Arc<Panorama>),
 }
 
 impl Sky {
@@ -58,6 +76,42 @@ impl Sky {
         Sky { world_from_sky: world_from_sky(up), light: Light::Overcast(zenith) }
     }
 
+    /// A general sky of the CIE: five `coefficients` (see [`cie_coefficients`]; the second
+    /// is negative), the direction to the `sun`, radiance at the `zenith` in W/(m² sr).
+    /// Light scattered by the air only: the sun's disc is not in it. `sun` and `up` have
+    /// unit length, and the sun stands above the horizon.
+    ///
+    /// ```text
+    /// L/Lz = f(χ) φ(Z) / (f(Zs) φ(0))     Z from the zenith, χ from the sun, Zs between
+    /// φ(Z) = 1 + a exp(b / cos Z)         f(χ) = 1 + c (exp dχ − exp dπ/2) + e cos²χ
+    /// ```
+    pub fn cie(coefficients: [f64; 5], sun: DVec3, zenith: Rgb, up: DVec3) -> Sky {
+        debug_assert!(coefficients[1] < 0.0, "no sky: {coefficients:?}");
+        debug_assert!(sun.is_normalized(), "sun must have unit length: {sun}");
+        debug_assert!(zenith.min_element() >= 0.0, "negative radiance: {zenith}");
+        let world_from_sky = world_from_sky(up);
+        let sun = world_from_sky.transpose() * sun;
+        let light = Light::Cie(Arc::new(Cie::new(coefficients, sun, zenith)));
+        Sky { world_from_sky, light }
+    }
+
+    /// A picture of all directions, the ground's too, turned so that its row 0 is `up`, of
+    /// unit length.
+    ///
+    /// With up at `+Y` its middle column looks along `−Z`; else all is turned the shortest
+    /// way from `+Y` to `up`: with up at `+Z` the middle looks along `+Y`.
+    pub fn panorama(panorama: Panorama, up: DVec3) -> Sky {
+        let light = Light::Panorama(Arc::new(panorama));
+        Sky { world_from_sky: world_from_sky(up), light }
+    }
+
+    /// The direction, of unit length, at these angles in radians: `elevation` above the
+    /// horizon; `azimuth` from the panorama's middle (`−Z` while up is `+Y`) to the right.
+    pub fn direction(&self, elevation: f64, azimuth: f64) -> DVec3 {
+        let ((x, z), (y, flat)) = (azimuth.sin_cos(), elevation.sin_cos());
+        self.world_from_sky * DVec3::new(flat * x, y, -flat * z)
+    }
+
     /// The direction away from the ground, of unit length.
     pub fn up(&self) -> DVec3 {
         self.world_from_sky.y_axis
@@ -67,17 +121,21 @@ impl Sky {
     pub fn shines(&self) -> bool {
         match &self.light {
             Light::Uniform(l) | Light::Overcast(l) => *l != Rgb::ZERO,
+            Light::Cie(cie) => cie.zenith != Rgb::ZERO,
+            Light::Panorama(panorama) => panorama.total() != Rgb::ZERO,
         }
     }
 
     /// The radiance, in W/(m² sr), that comes from `direction`, of unit length: what a ray
     /// finds that leaves the scene that way.
     pub fn radiance(&self, direction: DVec3) -> Rgb {
-        let d = self.world_from_sky.transpose() * direction;
+        let d = self.sky_from_world(direction);
         match &self.light {
-            _ if d.y < 0.0 => Rgb::ZERO,
+            Light::Panorama(panorama) => panorama.radiance(d),
+            _ if d.y < HORIZON => Rgb::ZERO,
             Light::Uniform(l) => *l,
             Light::Overcast(zenith) => *zenith * ((1.0 + 2.0 * d.y) / 3.0),
+            Light::Cie(cie) => cie.radiance(d),
         }
     }
 
@@ -85,43 +143,58 @@ impl Sky {
     /// it: no ground, no neighbours.
     ///
     /// # Accuracy
-    /// Uniform and overcast: closed forms, exact but for rounding.
+    /// Uniform and overcast: closed forms, exact but for rounding. CIE: 1e-7 of π times
+    /// the zenith's radiance. Panorama: exact texel by texel, but for 1e-6 of the radiance
+    /// along the plane's horizon.
     pub fn irradiance(&self, normal: DVec3) -> Rgb {
-        let cos = self.up().dot(normal);
+        let n = self.sky_from_world(normal);
+        let (cos, sin) = (n.y, n.x.hypot(n.z));
         match &self.light {
             Light::Uniform(l) => *l * (PI * (1.0 + cos) / 2.0),
             Light::Overcast(zenith) => {
-                let sin = self.up().cross(normal).length();
                 let behind = PI - sin.atan2(cos); // from the plane's back to the ground
                 let rising = 4.0 / 3.0 * (behind * cos + sin);
                 *zenith * ((PI * (1.0 + cos) / 2.0 + rising) / 3.0)
             }
+            Light::Cie(cie) => cie.irradiance(n),
+            Light::Panorama(panorama) => panorama.irradiance(n),
         }
     }
 
-    /// A direction drawn by two numbers in `[0, 1)`, and its probability density in 1/sr;
-    /// likelier where the sky is brighter.
+    /// A direction drawn by two numbers in `[0, 1)`, and its probability density in 1/sr:
+    /// in proportion to the radiance (its mean over the channels; of the CIE's skies, nearly
+    /// so). A sun in one texel is neither missed nor counted twice. Never 0.
     pub fn sample(&self, u: DVec2) -> (DVec3, f64) {
-        let sin = match &self.light {
-            Light::Uniform(_) => u.x,
-            // ∫₀ˢ (1 + 2t) dt / 2 = (s + s²)/2 = u, solved for s.
-            Light::Overcast(_) => ((1.0 + 8.0 * u.x).sqrt() - 1.0) / 2.0,
+        let around = |sin: f64| {
+            let ((x, z), cos) = ((TAU * u.y).sin_cos(), (1.0 - sin * sin).sqrt());
+            DVec3::new(cos * x, sin, cos * z)
         };
-        let (x, z) = (TAU * u.y).sin_cos();
-        let cos = (1.0 - sin * sin).max(0.0).sqrt();
-        let direction = self.world_from_sky * DVec3::new(cos * x, sin, cos * z);
+        let direction = match &self.light {
+            Light::Uniform(_) => around(u.x),
+            // ∫₀ˢ (1 + 2t) dt / 2 = (s + s²)/2 = u, solved for s.
+            Light::Overcast(_) => around(((1.0 + 8.0 * u.x).sqrt() - 1.0) / 2.0),
+            Light::Cie(cie) => cie.sample(u),
+            Light::Panorama(panorama) => panorama.sample(u),
+        };
+        let direction = self.world_from_sky * direction;
         (direction, self.pdf(direction))
     }
 
     /// The density, in 1/sr, with which [`Sky::sample`] draws `direction`, of unit length;
     /// 0 where it never does.
     pub fn pdf(&self, direction: DVec3) -> f64 {
-        let sin = self.up().dot(direction);
+        let d = self.sky_from_world(direction);
         match &self.light {
-            _ if sin < 0.0 => 0.0,
+            Light::Panorama(panorama) => panorama.pdf(d),
+            _ if d.y < HORIZON => 0.0,
             Light::Uniform(_) => 1.0 / TAU,
-            Light::Overcast(_) => (1.0 + 2.0 * sin) / (2.0 * TAU),
+            Light::Overcast(_) => (1.0 + 2.0 * d.y) / (2.0 * TAU),
+            Light::Cie(cie) => cie.pdf(d),
         }
+    }
+
+    fn sky_from_world(&self, direction: DVec3) -> DVec3 {
+        self.world_from_sky.transpose() * direction
     }
 }
 

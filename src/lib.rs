@@ -21,6 +21,7 @@ pub mod specular;
 pub mod form_factor;
 pub mod solve;
 pub mod film;
+pub mod trace;
 pub mod plan;
 pub mod chart;
 

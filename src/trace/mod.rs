@@ -3,13 +3,23 @@
 //! ```text
 //! L(x → o) = B(x)/π + ∫ f_s(i, o) L(x ← i) cosθ_i dω_i     diffuse: stored; specular: followed
 //! L(x ← i) = L(y → −i)                                     y: what x sees in direction i
+//! E S* L,  E S* D (D|S)* L        paths as words: pass 2 owns the S next to the eye
 //! ```
 //! A mirror, a pane and glass have single directions in their `f_s`: a ray follows each.
 //! Gloss has a lobe: a cone of directions.
 //!
 //! | method         | use it when                             | it fails when              |
 //! |----------------|-----------------------------------------|----------------------------|
+//! | [`PathTracer`] | the right answer is wanted, with errors | time is short: noise       |
+//! | [`Class`]      | light is to be told by its path         | never                      |
 //!
 //! **Not here:** the light that diffuse surfaces send: pass 1 ([`crate::solve`]) brings it.
-//! Chapter *The second pass* (L19, L20). Sources: Whitted 1980 (ray tracing); Wallace,
+//! Chapters *Who carries which light?* (L15) and *The second pass* (L19, L20). Sources:
+//! Kajiya 1986 (path tracing); Whitted 1980 (ray tracing); Heckbert 1990 (words); Wallace,
 //! Cohen & Greenberg 1987, Sillion & Puech 1989 (two passes).
+
+mod classes;
+mod path;
+
+pub use classes::{CLASSES, Class, Letter, Light, Owner, Row, Table, Word};
+pub use path::{Estimate, PathTracer, Strategy, Traced};

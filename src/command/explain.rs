@@ -2,8 +2,9 @@
 
 use super::output::{Refusal, Terminal};
 use super::report::percent;
-use super::solve::checked;
-use super::{Source, values};
+use super::sky::Lit;
+use super::solve::{checked, sized};
+use super::values;
 use clap::Args;
 use radiosity::plan::{Plan, Predicted};
 use radiosity::solve::Ask;
@@ -22,7 +23,7 @@ Work is predicted from the scene and decides nothing; --run does it, and tells w
 spent. Seconds predicted are those of one processor.")]
 pub struct Explain {
     #[command(flatten)]
-    source: Source,
+    source: Lit,
     /// The largest relative error of the field asked for, as 0.01 or 1%
     #[arg(long, default_value = "1%", value_parser = values::tolerance)]
     #[arg(allow_hyphen_values = true)]
@@ -68,7 +69,7 @@ impl Explain {
     pub fn run(&self, seed: u64, terminal: &Terminal) -> Result<(), Refusal> {
         let tolerance = values::positive("--tolerance", self.tolerance)?;
         let scene = self.source.load(terminal)?;
-        checked(&scene)?;
+        if self.run { checked(&scene) } else { sized(&scene) }?;
         let plan = Plan::of(&scene, tolerance);
         let mut text = format!(
             "What {} needs to be right to {}:\n\n",

@@ -15,6 +15,7 @@ mod output;
 mod report;
 mod render;
 mod scenes;
+mod sky;
 mod solve;
 mod tables;
 mod values;

@@ -1,9 +1,10 @@
 //! `radiosity render`: a solved scene as a camera sees it.
 
 use super::output::{Refusal, Terminal, check_writable, extension, write};
+use super::report;
+use super::sky::Lit;
 use super::solve::{FactorMethod, How, SolverMethod, solved};
 use super::values::{self, Size};
-use super::{Source, report};
 use clap::{Args, ValueEnum};
 use radiosity::film::{FalseColour, Format, Picture, Shot, png};
 use radiosity::geometry::Rgb;
@@ -26,7 +27,7 @@ use std::time::Instant;
   radiosity render cornell -o wrong.png --view error")]
 pub struct Render {
     #[command(flatten)]
-    source: Source,
+    source: Lit,
     /// Where to write: .png (sRGB), .hdr or .exr (linear radiance, W/(m² sr))
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
@@ -118,7 +119,7 @@ impl Render {
             Refusal(format!("the folder out cannot be made ({error}); go elsewhere"))
         })?;
         Ok(Render {
-            source: Source { scene: "cornell".into(), up: None },
+            source: Lit::built_in("cornell"),
             output: folder.join("cornell.png"),
             method: Passes::Radiosity,
             shading: Shading::Smooth,

@@ -1,7 +1,8 @@
 //! `radiosity solve`: pass 1, into a table, a mesh or all of it.
 
 use super::output::{Refusal, Terminal, check_writable, extension, write};
-use super::{Source, report, tables, values};
+use super::sky::Lit;
+use super::{report, tables, values};
 use clap::{Args, ValueEnum};
 use radiosity::plan::Plan;
 use radiosity::scene::Scene;
@@ -20,7 +21,7 @@ The error is that of the smooth field relative to the reflected light; face mean
 usually far better. A tolerance out of reach is told by `converged: false`, not refused.")]
 pub struct Solve {
     #[command(flatten)]
-    source: Source,
+    source: Lit,
     /// Where to write: .csv (means of faces), .ply (elements) or .json (all of it)
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -147,16 +148,21 @@ pub fn samples(
     }
 }
 
-/// Refuses a scene that cannot be solved.
+/// Refuses a scene that has no light to be solved for, or is too large.
 pub fn checked(scene: &Scene) -> Result<(), Refusal> {
-    let name = &scene.name;
     if !scene.has_emitter() {
         return Err(Refusal(format!(
-            "{name} has no emitter, so all of it is dark; give a material that is used a \
-             `Ke` above 0"
+            "{} has neither emitter nor sky, so all of it is dark; give a material that \
+             is used a `Ke` above 0, or a --sky that shines",
+            scene.name
         )));
     }
-    let surfaces = scene.surfaces.len();
+    sized(scene)
+}
+
+/// Refuses a scene that is too large.
+pub fn sized(scene: &Scene) -> Result<(), Refusal> {
+    let (name, surfaces) = (&scene.name, scene.surfaces.len());
     if surfaces > MOST_SURFACES {
         return Err(Refusal(format!(
             "{name} has {surfaces} surfaces, and this solver takes {MOST_SURFACES}; use \

@@ -85,7 +85,7 @@ impl Panorama {
     /// # Errors
     /// See [`PanoramaError`].
     pub fn new(width: usize, texels: Vec<Rgb>) -> Result<Panorama, PanoramaError> {
-        if width == 0 || texels.is_empty() || texels.len() % width != 0 {
+        if texels.is_empty() || !texels.len().is_multiple_of(width) {
             return Err(PanoramaError::Size { width, texels: texels.len() });
         }
         let height = texels.len() / width;

@@ -105,9 +105,13 @@ fn a_material_that_makes_light_of_nothing() {
 fn a_scene_without_emitter_has_form_factors_but_no_light() {
     let folder = Folder::new();
     folder.write("dark.obj", format!("{SQUARE}f 1 2 3 4\n"));
-    let words = ["dark", "Ke"];
+    let words = ["dark", "Ke", "--sky"];
     refused(&folder, "solve dark.obj -o old.csv --quiet", &words);
     refused(&folder, "render dark.obj -o old.png --quiet", &words);
+    let black = "--quiet --sky uniform:0,0,0";
+    refused(&folder, &format!("solve dark.obj -o old.csv {black}"), &words);
+    refused(&folder, "explain dark.obj --run --quiet", &words);
+    folder.run("explain dark.obj").done();
     folder.run("form-factors dark.obj -o F.csv").done();
     assert_eq!(folder.text("F.csv"), "i,j,F\n");
 }
@@ -211,7 +215,10 @@ fn what_is_not_understood_ends_with_2() {
         "render furnace -o x.png --exposure bright",
         "render furnace -o x.png --method two-pass",
         "render furnace -o x.png --view mistake",
-        "solve furnace -o x.csv --sky uniform:1,1,1",
+        "solve furnace -o x.csv --sky uniform:1,1",
+        "solve furnace -o x.csv --sky overcast:bright",
+        "explain furnace --sky sunny",
+        "form-factors furnace -o x.csv --sky overcast:1",
     ] {
         let Answer { code, out, err } = folder.run(arguments);
         assert_eq!(code, Some(2), "{arguments}: {err}");
@@ -238,4 +245,35 @@ fn faces_that_are_not_planar_or_not_convex_are_split_with_a_warning() {
     assert_eq!(folder.text("a.csv").lines().count(), 4, "one row a face");
     let quiet = folder.run("solve a.obj -o a.csv --tolerance 10 --quiet").done();
     assert_eq!((quiet.out.as_str(), quiet.err.as_str()), ("", ""));
+}
+
+#[test]
+fn a_sky_that_cannot_be() {
+    let folder = Folder::new();
+    let no = |sky: &str, words: &[&str]| {
+        refused(&folder, &format!("solve cornell -o old.csv --sky {sky}"), words);
+        refused(&folder, &format!("explain cornell --sky {sky}"), words);
+    };
+    no("uniform:1,-1,1", &["uniform", "1,-1,1", "0 or more"]);
+    no("uniform:1,nan,1", &["uniform", "NaN", "finite"]);
+    no("overcast:-2", &["overcast", "-2"]);
+    no("overcast:inf", &["overcast", "inf", "finite"]);
+    no("clear:1,0,90", &["clear", "0 degrees", "elevation above 0"]);
+    no("clear:1,91,90", &["91 degrees"]);
+    no("gone.hdr", &["gone.hdr", "cannot be read"]);
+    folder.write("png.hdr", radiosity_png());
+    no("png.hdr", &["png.hdr", "no radiance", ".exr"]);
+    folder.write("broken.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\nab");
+    no("broken.hdr", &["broken.hdr", "cannot be decoded"]);
+    folder.write("huge.hdr", "#?RADIANCE\n\n-Y 70000 +X 70000\n");
+    no("huge.hdr", &["huge.hdr", "70000x70000", "scale it down"]);
+    folder.write("empty.hdr", "#?RADIANCE\n\n-Y 0 +X 4\n");
+    no("empty.hdr", &["empty.hdr"]);
+    folder.write("empty.exr", "");
+    no("empty.exr", &["empty.exr"]);
+}
+
+/// The first bytes of a PNG: 8 bits to a channel, whatever it is called.
+fn radiosity_png() -> Vec<u8> {
+    vec![0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n', 0, 0, 0, 13]
 }

@@ -19,6 +19,7 @@ pub mod raster;
 pub mod visibility;
 pub mod specular;
 pub mod form_factor;
+pub mod virtual_world;
 pub mod solve;
 pub mod film;
 pub mod trace;

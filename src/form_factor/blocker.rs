@@ -5,7 +5,7 @@
 //! with two faces, so that all its edges are silhouette.
 
 use crate::geometry::{Plane, Polygon, clip};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
 
 /// The planes of a convex cone, facing inward.
@@ -96,6 +96,35 @@ impl Blocker {
         let deep = faces.iter().all(|f| f.height(middle) < -margin);
         let sheets = sheets.iter().map(|&s| s.clone()).collect();
         deep.then_some(Blocker { corners, faces, edges, middle, sheets })
+    }
+
+    /// It in another place, by an isometry.
+    pub fn moved(&self, by: &DAffine3) -> Blocker {
+        let at = |v: DVec3| by.transform_point3(v);
+        let edge = |e: &Edge| Edge { ends: e.ends.map(at), between: e.between };
+        Blocker {
+            corners: self.corners.iter().map(|&v| at(v)).collect(),
+            faces: self.faces.iter().map(|f| f.moved(by)).collect(),
+            edges: self.edges.iter().map(edge).collect(),
+            middle: at(self.middle),
+            sheets: self.sheets.iter().map(|s| s.moved(by)).collect(),
+        }
+    }
+
+    /// What of it rises above `plane` by more than `margin`: itself, where all does;
+    /// else its sheets, cut.
+    pub fn in_front(&self, plane: Plane, margin: f64) -> Vec<Blocker> {
+        let heights = || self.corners.iter().map(|&v| plane.height(v));
+        if heights().all(|h| h <= margin) {
+            return Vec::new();
+        }
+        if heights().all(|h| h >= -margin) {
+            return vec![self.clone()];
+        }
+        let above =
+            |s: &Polygon| s.vertices().iter().any(|&v| plane.height(v) > margin);
+        let sheets = self.sheets.iter().filter(|s| above(s));
+        sheets.filter_map(|s| Some(Blocker::sheet(&s.clipped(plane)?))).collect()
     }
 
     /// Its corners.

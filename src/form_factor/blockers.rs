@@ -37,13 +37,7 @@ impl Blockers {
             let shine = scene.material(&scene.surfaces[k]).shine();
             matches!(shine, Shine::Pane { .. })
         };
-        let in_plane = |k: usize| {
-            let p = surfaces[k];
-            let [x, y, z] = (1.2345e8 * p.normal()).to_array();
-            let offset = p.plane().offset / (1.2345 * margin);
-            let [x, y, z, offset] = [x, y, z, offset].map(|v| v.round() as i64);
-            [x, y, z, offset, i64::from(pane(k))]
-        };
+        let in_plane = |k: usize| in_plane(surfaces[k], margin, i64::from(pane(k)));
         let (wall_of, tiles) = joined(&surfaces, margin, in_plane);
         let walls: Vec<Polygon> = tiles.iter().map(|t| hull(t, &surfaces)).collect();
         let blocks = |wall: &Polygon| {
@@ -221,15 +215,45 @@ fn hull(tiles: &[usize], surfaces: &[&Polygon]) -> Polygon {
     Polygon::piece(outline, first.normal()).unwrap_or_else(|| first.clone())
 }
 
+/// Polygons of one `class` that share corners in one plane, joined: each group's convex
+/// hull where they fill it, else each by itself; with the polygons that it is made of.
+pub(crate) fn joined_tiles(
+    polygons: &[&Polygon],
+    margin: f64,
+    class: impl Fn(usize) -> i64,
+) -> Vec<(Polygon, Vec<usize>)> {
+    let (_, groups) =
+        joined(polygons, margin, |k| in_plane(polygons[k], margin, class(k)));
+    let mut whole = Vec::new();
+    for tiles in groups {
+        let hull = hull(&tiles, polygons);
+        let area: f64 = tiles.iter().map(|&t| polygons[t].area()).sum();
+        if (hull.area() - area).abs() <= 1e-9 * area {
+            whole.push((hull, tiles));
+        } else {
+            whole.extend(tiles.into_iter().map(|t| (polygons[t].clone(), vec![t])));
+        }
+    }
+    whole
+}
+
+/// What polygons of one plane and `class` have in common.
+fn in_plane(p: &Polygon, margin: f64, class: i64) -> [i64; 5] {
+    let [x, y, z] = (1.2345e8 * p.normal()).to_array();
+    let offset = p.plane().offset / (1.2345 * margin);
+    let [x, y, z, offset] = [x, y, z, offset].map(|v| v.round() as i64);
+    [x, y, z, offset, class]
+}
+
 /// Planes that have both polygons on their front.
-struct Shaft {
+pub(crate) struct Shaft {
     planes: Vec<Plane>,
     margin: f64,
 }
 
 impl Shaft {
     /// The shaft of two polygons; what protrudes less than `margin` into it is outside.
-    fn between(i: &Polygon, j: &Polygon, margin: f64) -> Shaft {
+    pub(crate) fn between(i: &Polygon, j: &Polygon, margin: f64) -> Shaft {
         let mut planes = vec![i.plane(), j.plane()];
         for (from, to) in [(i, j), (j, i)] {
             for (a, b) in from.edges() {
@@ -241,9 +265,14 @@ impl Shaft {
     }
 
     fn misses(&self, blocker: &Blocker) -> bool {
-        self.planes.iter().any(|plane| {
-            blocker.corners().iter().all(|&v| plane.height(v) <= self.margin)
-        })
+        self.misses_all(blocker.corners())
+    }
+
+    /// Does it miss the convex hull of these points, for certain?
+    pub(crate) fn misses_all(&self, points: &[DVec3]) -> bool {
+        let below =
+            |plane: &Plane| points.iter().all(|&v| plane.height(v) <= self.margin);
+        self.planes.iter().any(below)
     }
 
     fn misses_box(&self, low: DVec3, high: DVec3) -> bool {

@@ -47,7 +47,10 @@ pub use close::{Closing, close, closure};
 pub use contour::exchange_by_contour;
 pub use glance::{Glance, Sight, glance};
 pub use matrix::{Cached, Matrix, Row};
-pub use visible::lambert_visible;
+pub use visible::{lambert_visible, visible_parts};
+
+pub(crate) use blockers::{Shaft, joined_tiles};
+pub(crate) use visible::{inside, parted};
 
 use crate::geometry::{Frame, Polygon, Ray};
 use crate::mesh::ElementId;

@@ -56,8 +56,36 @@ pub fn lambert_visible(
 }
 // ANCHOR_END: lambert_visible
 
+/// The convex pieces of `target` that the point `p`, in front of it, sees past `blockers`.
+pub fn visible_parts(
+    p: DVec3,
+    target: &Polygon,
+    blockers: &[&Blocker],
+) -> Vec<Outline> {
+    let mut cones = Vec::new();
+    for blocker in blockers {
+        blocker.hidden_cones(p, target, &mut cones);
+    }
+    let mut seen = vec![Outline::from(target.vertices())];
+    for cone in &cones {
+        for piece in std::mem::take(&mut seen) {
+            outside(piece, cone, &mut seen);
+        }
+    }
+    seen
+}
+
+/// A convex outline parted by a convex cone of planes that face inwards: what is inside it,
+/// which may be nothing, and the pieces outside.
+pub(crate) fn parted(piece: Outline, cone: &[Plane]) -> (Outline, Vec<Outline>) {
+    let kept = inside(&piece, cone);
+    let mut rest = Vec::new();
+    outside(piece, cone, &mut rest);
+    (kept, rest)
+}
+
 /// What of a convex outline lies inside a convex cone.
-fn inside(outline: &[DVec3], cone: &[Plane]) -> Outline {
+pub(crate) fn inside(outline: &[DVec3], cone: &[Plane]) -> Outline {
     let mut rest = Outline::from(outline);
     let mut cut = Outline::new();
     for plane in cone {

@@ -21,7 +21,7 @@ mod split;
 pub use polygon::{Outline, Polygon, PolygonError, clip, clip_into};
 pub use split::{MAX_CORNERS, split};
 
-use glam::DVec3;
+use glam::{DAffine3, DMat3, DVec3};
 
 /// Three numbers, one for each colour channel; the unit is that of the quantity.
 pub type Rgb = DVec3;
@@ -54,6 +54,27 @@ impl Plane {
     /// Signed distance of `x`, positive in front, in scene units.
     pub fn height(&self, x: DVec3) -> f64 {
         self.normal.dot(x) - self.offset
+    }
+
+    /// The mirror: the isometry that takes each point to the other side, as far off.
+    ///
+    /// ```text
+    /// x' = x − 2 (n·x − offset) n
+    /// ```
+    pub fn mirror(&self) -> DAffine3 {
+        // ANCHOR: mirror
+        let n = self.normal;
+        let column = |axis: DVec3| axis - 2.0 * n.dot(axis) * n;
+        let matrix =
+            DMat3::from_cols(column(DVec3::X), column(DVec3::Y), column(DVec3::Z));
+        DAffine3::from_mat3_translation(matrix, 2.0 * self.offset * n)
+        // ANCHOR_END: mirror
+    }
+
+    /// The plane after an isometry.
+    pub fn moved(&self, by: &DAffine3) -> Plane {
+        let point = by.transform_point3(self.offset * self.normal);
+        Plane::through(point, by.transform_vector3(self.normal).normalize())
     }
 
     /// The same plane seen from behind.

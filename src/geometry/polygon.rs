@@ -1,7 +1,7 @@
 //! The convex planar polygon, checked on construction.
 
 use super::Plane;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
 use std::fmt;
 
@@ -182,6 +182,19 @@ impl Polygon {
             offset: -self.offset,
             area: self.area,
         }
+    }
+
+    /// Its image under an isometry: what was in front of it is in front of the image, also
+    /// where the isometry turns left into right.
+    pub fn moved(&self, by: &DAffine3) -> Polygon {
+        let mut vertices: Vec<DVec3> =
+            self.vertices.iter().map(|&v| by.transform_point3(v)).collect();
+        if by.matrix3.determinant() < 0.0 {
+            vertices.reverse();
+        }
+        let normal = by.transform_vector3(self.normal).normalize();
+        let offset = normal.dot(mean(&vertices));
+        Polygon { vertices, normal, offset, area: self.area }
     }
 
     /// What of the polygon lies in front of `plane`; `None` when nothing does.

@@ -2,6 +2,7 @@
 #![allow(dead_code, missing_docs)] // each test uses its part
 
 pub mod any;
+pub mod mirrored;
 pub mod rooms;
 pub mod shapes;
 pub mod truth;

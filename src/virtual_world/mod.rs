@@ -1,0 +1,205 @@
+//! Mirrors and windows in pass 1: the images of the world that a surface sees in them.
+//!
+//! ```text
+//! x' = x − 2 (n·x − offset) n                     a mirror's image of a point
+//! F_ij = Σ_images k_s1 … k_sk F(i → image of j, through the windows)        extended factors
+//! ```
+//! A mirror is a window into a reflected world. Light that comes by mirrors `m₁ … m_k`, in
+//! the order in which it is met from the receiver, comes straight from the image
+//! `R₁ R₂ … R_k y` of where it started, if it passes all the windows: the outline of `m₁`,
+//! that of `m₂` reflected in `m₁`, and so on. What stands in the way on a later leg is
+//! reflected with it. So everything that is known about straight light serves again.
+//!
+//! | part                    | use it when                            | it fails when         |
+//! |-------------------------|----------------------------------------|-----------------------|
+//! | [`VirtualWorld::sights`]| light from some places to many points  | mirrors are curved    |
+//! | [`Image`]               | one chain of mirrors is to be looked at| the same              |
+//!
+//! A pane is a mirror on both sides, and a veil that weakens what passes: by angle.
+//!
+//! **Not here:** curved mirrors and solids of glass, which have no image: rays carry their
+//! light ([`crate::specular`]). Chapter *Mirrors and windows* (L17, L18). Sources:
+//! Rushmeier & Torrance 1990 and Wallace, Cohen & Greenberg 1987 (extended form factors,
+//! the virtual world); Heckbert & Hanrahan 1984 (beams through windows).
+
+mod image;
+mod sight;
+
+pub use image::Image;
+pub use sight::Sight;
+
+use crate::form_factor::{Blockers, joined_tiles};
+use crate::geometry::{Polygon, Rgb};
+use crate::material::Shine;
+use crate::material::optics::pane;
+use crate::scene::{Scene, Side};
+
+/// A flat mirror, or one side of a pane.
+#[derive(Clone, Debug)]
+pub struct Mirror {
+    /// Its outline; the front mirrors.
+    pub outline: Polygon,
+    /// The surfaces that it is made of: tiles of one plane and material are one mirror.
+    pub surfaces: Vec<u32>,
+    reflects: Reflects,
+    /// Which pane it is a side of.
+    pane: Option<usize>,
+}
+
+/// How much of the light a mirror or pane sends on.
+#[derive(Clone, Copy, Debug)]
+enum Reflects {
+    Always(Rgb),
+    Fresnel { share: Rgb, index: f64 },
+}
+
+impl Mirror {
+    /// The share of the light that it mirrors, at this cosine to its normal.
+    pub fn reflectance(&self, cosine: f64) -> Rgb {
+        match self.reflects {
+            Reflects::Always(share) => share,
+            Reflects::Fresnel { share, index } => share * pane(cosine, index).0,
+        }
+    }
+
+    /// An upper bound of [`Mirror::reflectance`] over all angles.
+    pub fn most(&self) -> Rgb {
+        match self.reflects {
+            Reflects::Always(share) | Reflects::Fresnel { share, .. } => share,
+        }
+    }
+}
+
+/// A pane as what light passes through.
+#[derive(Clone, Debug)]
+struct Pane {
+    outline: Polygon,
+    index: f64,
+    /// What is left of what Fresnel's law lets through, per channel.
+    passes: Rgb,
+}
+
+impl Pane {
+    /// The share of the light that passes, at this cosine to its normal.
+    fn transmittance(&self, cosine: f64) -> Rgb {
+        self.passes * pane(cosine, self.index).1
+    }
+}
+
+/// The images of a scene in its flat mirrors and panes.
+pub struct VirtualWorld {
+    mirrors: Vec<Mirror>,
+    panes: Vec<Pane>,
+    images: Vec<Image>,
+    blockers: Blockers,
+    margin: f64,
+    levels: u32,
+}
+
+/// No more images than this are kept: with six mirrors, five levels.
+const MOST_IMAGES: usize = 20_000;
+
+impl VirtualWorld {
+    /// All chains of at most `levels` reflections by which anything may be seen.
+    ///
+    /// Of `m` mirrors that all see each other there are `m (m − 1)^(L − 1)` chains of `L`
+    /// reflections. A level that would need more than 20 000 images is left out:
+    /// [`VirtualWorld::levels`] tells how many there are.
+    pub fn of(scene: &Scene, levels: u32) -> VirtualWorld {
+        let margin = 1e-9 * scene.diagonal();
+        let (mirrors, panes) = mirrors_of(scene, margin);
+        let mut world = VirtualWorld {
+            mirrors,
+            panes,
+            images: vec![Image::identity()],
+            blockers: Blockers::of(scene),
+            margin,
+            levels: 0,
+        };
+        let mut first = 0;
+        while world.levels < levels {
+            let more = world.next_level(&world.images[first..]);
+            if world.images.len() + more.len() > MOST_IMAGES {
+                break;
+            }
+            first = world.images.len();
+            world.levels += 1;
+            world.images.extend(more);
+        }
+        world
+    }
+
+    /// All continuations of these chains by one more mirror.
+    fn next_level(&self, images: &[Image]) -> Vec<Image> {
+        let next = |image: &Image, k: usize| image.then(&self.mirrors, k, self.margin);
+        let all = |image| (0..self.mirrors.len()).filter_map(move |k| next(image, k));
+        images.iter().flat_map(all).collect()
+    }
+
+    /// The mirrors, and each pane twice: a mirror on either side.
+    pub fn mirrors(&self) -> &[Mirror] {
+        &self.mirrors
+    }
+
+    /// All images, by level; the first is the world itself.
+    pub fn images(&self) -> &[Image] {
+        &self.images
+    }
+
+    /// How many reflections are followed.
+    pub fn levels(&self) -> u32 {
+        self.levels
+    }
+
+    /// Is there no mirror and no pane?
+    pub fn is_empty(&self) -> bool {
+        self.mirrors.is_empty()
+    }
+
+    /// Do all mirrors and panes treat the three channels alike?
+    pub fn is_grey(&self) -> bool {
+        let grey = |c: Rgb| c.x == c.y && c.y == c.z;
+        self.mirrors.iter().all(|m| grey(m.most()))
+            && self.panes.iter().all(|p| grey(p.passes))
+    }
+
+    /// What stands in the way of straight light.
+    pub fn blockers(&self) -> &Blockers {
+        &self.blockers
+    }
+}
+
+/// Flat mirrors whose share is not 0, and panes.
+fn mirrors_of(scene: &Scene, margin: f64) -> (Vec<Mirror>, Vec<Pane>) {
+    let shining = scene.surfaces.iter().enumerate().filter(|(_, s)| {
+        match scene.material(s).shine() {
+            Shine::Mirror { reflectance } => reflectance != Rgb::ZERO,
+            Shine::Pane { .. } => s.side == Side::Front,
+            _ => false,
+        }
+    });
+    let shining: Vec<usize> = shining.map(|(k, _)| k).collect();
+    let outlines: Vec<&Polygon> =
+        shining.iter().map(|&k| &scene.surfaces[k].polygon).collect();
+    let material = |k: usize| i64::from(scene.surfaces[shining[k]].material.0);
+    let (mut mirrors, mut panes) = (Vec::new(), Vec::new());
+    for (outline, tiles) in joined_tiles(&outlines, margin, material) {
+        let surfaces: Vec<u32> = tiles.iter().map(|&t| shining[t] as u32).collect();
+        let material = scene.material(&scene.surfaces[surfaces[0] as usize]);
+        let mut add = |outline, reflects, pane| {
+            let surfaces = surfaces.clone();
+            mirrors.push(Mirror { outline, surfaces, reflects, pane });
+        };
+        match material.shine() {
+            Shine::Pane { index, tint } => {
+                let (share, id) = (material.smooth_share(), Some(panes.len()));
+                let reflects = Reflects::Fresnel { share, index };
+                add(outline.clone(), reflects, id);
+                add(outline.flipped(), reflects, id);
+                panes.push(Pane { outline, index, passes: share * tint });
+            }
+            shine => add(outline, Reflects::Always(shine.reflectance()), None),
+        }
+    }
+    (mirrors, panes)
+}

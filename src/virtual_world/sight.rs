@@ -1,0 +1,301 @@
+//! What a piece of a surface may see of a polygon by one image.
+
+use super::image::{clip_to, pyramid};
+use super::{Image, Pane, VirtualWorld};
+use crate::form_factor::{Blocker, Shaft, lambert_visible, parted, visible_parts};
+use crate::geometry::{Outline, Plane, Polygon, Rgb};
+use crate::radiometry::projected_solid_angle;
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// A polygon as a piece of a surface may see it by one image: where it seems to be, through
+/// which windows, past what, behind which panes.
+#[derive(Clone, Debug)]
+pub struct Sight {
+    /// The image, less what lies on the wrong side of the last mirror.
+    target: Polygon,
+    /// Those windows whose edges may cut off some of it.
+    windows: Vec<Polygon>,
+    blockers: Vec<Blocker>,
+    /// What passes and what is mirrored, where that depends on the angle.
+    by_angle: Vec<ByAngle>,
+    veils: Vec<Veil>,
+    /// What the mirrors send on whatever the angle.
+    reflectance: Rgb,
+    level: u32,
+}
+
+/// A mirror whose share depends on the angle.
+#[derive(Clone, Debug)]
+struct ByAngle {
+    normal: DVec3,
+    mirror: super::Mirror,
+}
+
+/// A pane where it is seen; only what lies behind it is weakened.
+#[derive(Clone, Debug)]
+struct Veil {
+    outline: Polygon,
+    pane: Pane,
+}
+
+impl VirtualWorld {
+    /// All ways in which points of `piece` may see some of the front of `target`: directly,
+    /// and by each image. Of the world only what may matter is kept.
+    pub fn sights(&self, piece: &Polygon, target: &Polygon) -> Vec<Sight> {
+        self.images
+            .iter()
+            .filter_map(|image| self.sight(image, piece, target))
+            .collect()
+    }
+
+    /// How points of `piece` may see some of `target` by this image.
+    pub fn sight(
+        &self,
+        image: &Image,
+        piece: &Polygon,
+        target: &Polygon,
+    ) -> Option<Sight> {
+        let above = |p: &Polygon, q: &Polygon| {
+            q.vertices().iter().any(|&v| p.plane().height(v) > self.margin)
+        };
+        let seen = image.of_polygon(target);
+        if !above(&seen, piece) || !above(piece, &seen) {
+            return None;
+        }
+        let mut windows = image.windows().iter();
+        if !windows.all(|w| above(w, piece) && above(&w.flipped(), &seen)) {
+            return None;
+        }
+        let seen = match image.windows().last() {
+            Some(window) => seen.clipped(window.plane().flipped())?,
+            None => seen,
+        };
+        let shaft = Shaft::between(piece, &seen, self.margin);
+        if image.windows().iter().any(|w| shaft.misses_all(w.vertices())) {
+            return None;
+        }
+        let cuts = |w: &&Polygon| !surrounds(w, piece, &seen);
+        let windows = image.windows().iter().filter(cuts).cloned().collect();
+        let mut sight = Sight {
+            target: seen,
+            windows,
+            blockers: Vec::new(),
+            by_angle: Vec::new(),
+            veils: Vec::new(),
+            reflectance: Rgb::ONE,
+            level: image.level(),
+        };
+        self.add_mirrors(image, &mut sight);
+        for leg in 0..=image.mirrors.len() {
+            self.add_leg(image, leg, piece, target, &mut sight);
+        }
+        (!sight.is_hidden(piece)).then_some(sight)
+    }
+
+    fn add_mirrors(&self, image: &Image, sight: &mut Sight) {
+        for (&k, window) in image.mirrors.iter().zip(image.windows()) {
+            let mirror = &self.mirrors[k as usize];
+            if mirror.pane.is_none() {
+                sight.reflectance *= mirror.most();
+            } else {
+                let (normal, mirror) = (window.normal(), mirror.clone());
+                sight.by_angle.push(ByAngle { normal, mirror });
+            }
+        }
+    }
+
+    // ANCHOR: add_leg
+    /// Adds what may stand in the way on one leg, between the mirrors at its ends, moved to
+    /// where it is seen.
+    fn add_leg(
+        &self,
+        image: &Image,
+        leg: usize,
+        piece: &Polygon,
+        target: &Polygon,
+        sight: &mut Sight,
+    ) {
+        let mirror = |k: usize| &self.mirrors[image.mirrors[k] as usize].outline;
+        let unfold = &image.legs()[leg];
+        let from = piece.moved(&unfold.inverse());
+        let to = if leg < image.mirrors.len() { mirror(leg) } else { target };
+        let ends = [leg.checked_sub(1), (leg < image.mirrors.len()).then_some(leg)];
+        let ends: Vec<Plane> =
+            ends.into_iter().flatten().map(|k| mirror(k).plane()).collect();
+        let mut found: Vec<Blocker> =
+            self.blockers.between(&from, to).into_iter().cloned().collect();
+        for &end in &ends {
+            found = found.iter().flat_map(|b| b.in_front(end, self.margin)).collect();
+        }
+        sight.blockers.extend(found.iter().map(|b| b.moved(unfold)));
+        let before =
+            if leg < image.mirrors.len() { None } else { Some(target.plane()) };
+        let ends: Vec<Plane> = ends.into_iter().chain(before).collect();
+        self.add_veils(&from, to, &ends, unfold, sight);
+    }
+    // ANCHOR_END: add_leg
+
+    fn add_veils(
+        &self,
+        from: &Polygon,
+        to: &Polygon,
+        ends: &[Plane],
+        unfold: &glam::DAffine3,
+        sight: &mut Sight,
+    ) {
+        if self.panes.is_empty() {
+            return;
+        }
+        let shaft = Shaft::between(from, to, self.margin);
+        for pane in &self.panes {
+            let mut rest = Some(pane.outline.clone());
+            for &end in ends {
+                let high = |v: &DVec3| end.height(*v) > self.margin;
+                rest = rest
+                    .filter(|p| p.vertices().iter().any(high))
+                    .and_then(|p| p.clipped(end));
+            }
+            let Some(rest) = rest.filter(|p| !shaft.misses_all(p.vertices())) else {
+                continue;
+            };
+            sight.veils.push(Veil { outline: rest.moved(unfold), pane: pane.clone() });
+        }
+    }
+}
+
+/// Does every line from one polygon to the other pass the window?
+fn surrounds(window: &Polygon, piece: &Polygon, seen: &Polygon) -> bool {
+    let plane = window.plane();
+    let passes = |&a: &DVec3, &b: &DVec3| {
+        let (ha, hb) = (plane.height(a), plane.height(b));
+        ha > 0.0 && hb <= 0.0 && window.contains(a + (b - a) * (ha / (ha - hb)), 0.0)
+    };
+    let from = piece.vertices();
+    from.iter().all(|a| seen.vertices().iter().all(|b| passes(a, b)))
+}
+
+impl Sight {
+    /// How many reflections.
+    pub fn level(&self) -> u32 {
+        self.level
+    }
+
+    /// The image, less what lies on the wrong side of the last mirror.
+    pub fn target(&self) -> &Polygon {
+        &self.target
+    }
+
+    /// Can nothing cut off or hide any of the image?
+    pub fn is_free(&self) -> bool {
+        self.blockers.is_empty() && self.windows.is_empty() && self.veils.is_empty()
+    }
+
+    /// Is the share the same at all angles?
+    fn is_even(&self) -> bool {
+        self.veils.is_empty() && self.by_angle.is_empty()
+    }
+
+    /// Does one blocker hide all from all of `piece`?
+    fn is_hidden(&self, piece: &Polygon) -> bool {
+        self.blockers.iter().any(|b| b.hides_all(piece, &self.target))
+    }
+
+    // ANCHOR: factor
+    /// Form factor from a differential area at `x`, a point of the piece, with unit normal
+    /// `n`, times what the mirrors and panes leave: per channel, in `[0, 1]`.
+    ///
+    /// # Accuracy
+    /// Rounding; about 1e-4 of it where Fresnel's law weighs it.
+    pub fn factor(&self, x: DVec3, n: DVec3) -> Rgb {
+        let Some(seen) = clip_to(&self.windows, x, self.target.vertices()) else {
+            return Rgb::ZERO;
+        };
+        let Some(seen) = Polygon::piece(seen.to_vec(), self.target.normal()) else {
+            return Rgb::ZERO;
+        };
+        let blockers: Vec<&Blocker> = self.blockers.iter().collect();
+        if self.is_even() {
+            return self.reflectance * lambert_visible(x, n, &seen, &blockers);
+        }
+        if seen.plane().height(x) <= 0.0 {
+            return Rgb::ZERO;
+        }
+        let parts = visible_parts(x, &seen, &blockers);
+        let weighed =
+            parts.into_iter().map(|part| self.weighed(x, n, part, &self.veils));
+        self.reflectance * weighed.sum::<Rgb>()
+    }
+    // ANCHOR_END: factor
+
+    /// The factor to `part`, seen past blockers: parted by the first veil, then the next.
+    fn weighed(&self, x: DVec3, n: DVec3, part: Outline, veils: &[Veil]) -> Rgb {
+        let mut behind: Vec<(Outline, Vec<&Veil>)> = vec![(part, Vec::new())];
+        for veil in veils {
+            for (part, through) in std::mem::take(&mut behind) {
+                let cone = veil.cone(x);
+                let (veiled, clear) = parted(part, &cone);
+                behind.extend(clear.into_iter().map(|p| (p, through.clone())));
+                if veiled.len() >= 3 {
+                    let mut through = through;
+                    through.push(veil);
+                    behind.push((veiled, through));
+                }
+            }
+        }
+        let of = |(part, through): &(Outline, Vec<&Veil>)| {
+            let share = |direction: DVec3| self.share(direction, through);
+            integrated(x, n, part, &share, DEEPEST)
+        };
+        behind.iter().map(of).sum()
+    }
+
+    /// What is left of light of this direction behind these veils.
+    fn share(&self, direction: DVec3, through: &[&Veil]) -> Rgb {
+        let cosine = |normal: DVec3| direction.dot(normal).abs().min(1.0);
+        let mirrored = |m: &ByAngle| m.mirror.reflectance(cosine(m.normal));
+        let passed = |v: &&Veil| v.pane.transmittance(cosine(v.outline.normal()));
+        self.by_angle.iter().map(mirrored).product::<Rgb>()
+            * through.iter().map(passed).product::<Rgb>()
+    }
+}
+
+impl Veil {
+    /// The pyramid from `x` over the pane.
+    fn cone(&self, x: DVec3) -> Vec<Plane> {
+        let front = self.outline.plane().height(x) > 0.0;
+        let outline = if front { self.outline.clone() } else { self.outline.flipped() };
+        pyramid(x, outline.vertices()).collect()
+    }
+}
+
+/// A piece is quartered at most this often.
+const DEEPEST: u32 = 6;
+
+/// A share that varies less than this over a piece is taken as quadratic there.
+const EVEN: f64 = 2e-3;
+
+/// `1/π ∫ share cosθ dω` over a convex outline.
+fn integrated(
+    x: DVec3,
+    n: DVec3,
+    outline: &[DVec3],
+    share: &dyn Fn(DVec3) -> Rgb,
+    depth: u32,
+) -> Rgb {
+    let at = |p: DVec3| share((p - x).normalize_or_zero());
+    let middle = outline.iter().sum::<DVec3>() / outline.len() as f64;
+    let mean = outline.iter().map(|&v| at(v)).sum::<Rgb>() / outline.len() as f64;
+    let here = at(middle);
+    if depth == 0 || (here - mean).abs().max_element() <= EVEN {
+        let factor = projected_solid_angle(x, n, outline) / PI;
+        return factor * (0.75 * here + 0.25 * mean);
+    }
+    let corner = |k: usize| {
+        let n = outline.len();
+        let (before, a, after) =
+            (outline[(k + n - 1) % n], outline[k], outline[(k + 1) % n]);
+        [before.midpoint(a), a, a.midpoint(after), middle]
+    };
+    (0..outline.len()).map(|k| integrated(x, n, &corner(k), share, depth - 1)).sum()
+}

@@ -5,7 +5,7 @@ use crate::geometry::Rgb;
 use crate::mesh::Mesh;
 use crate::raster::{ItemBuffer, Seen, View};
 use crate::scene::Camera;
-use glam::{DVec2, DVec3, dvec2};
+use glam::{DVec3, dvec2};
 use image::RgbImage;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -79,8 +79,7 @@ impl Shot {
     ) -> Picture {
         let mut picture = Picture::new(self.width, self.height);
         let mut items = ItemBuffer::new(self.width, self.height);
-        for shift in self.shifts() {
-            let view = self.view().shifted(shift);
+        for view in self.views() {
             items.reset(self.width, self.height);
             draw_all(&mut items, &view, mesh);
             let rows = picture.pixels.par_chunks_mut(self.width as usize).enumerate();
@@ -101,12 +100,13 @@ impl Shot {
     }
     // ANCHOR_END: shade
 
-    /// By how much the picture moves for each sample, in picture coordinates.
-    fn shifts(&self) -> impl Iterator<Item = DVec2> {
+    /// The view of each sample of a pixel: the picture is moved by parts of a pixel.
+    pub fn views(&self) -> impl Iterator<Item = View> + use<> {
+        let view = self.view();
         let n = self.samples.max(1);
         let pixel = dvec2(2.0 / self.width as f64, 2.0 / self.height as f64);
         let part = move |k: u32| (k as f64 + 0.5) / n as f64 - 0.5;
-        (0..n * n).map(move |k| pixel * dvec2(part(k % n), part(k / n)))
+        (0..n * n).map(move |k| view.shifted(pixel * dvec2(part(k % n), part(k / n))))
     }
 }
 

@@ -10,6 +10,8 @@
 //!
 //! | method         | use it when                             | it fails when              |
 //! |----------------|-----------------------------------------|----------------------------|
+//! | [`Whitted`]    | lamps and mirrors are all that matters  | light bounces: it is dark  |
+//! | [`TwoPass`]    | pass 1 has found the diffuse light      | that was found too coarsely|
 //! | [`PathTracer`] | the right answer is wanted, with errors | time is short: noise       |
 //! | [`Class`]      | light is to be told by its path         | never                      |
 //!
@@ -19,7 +21,22 @@
 //! Cohen & Greenberg 1987, Sillion & Puech 1989 (two passes).
 
 mod classes;
+mod cone;
+mod expose;
+mod gather;
+mod gloss;
+mod lamps;
+mod locate;
 mod path;
+mod tree;
+mod two_pass;
+mod whitted;
 
 pub use classes::{CLASSES, Class, Letter, Light, Owner, Row, Table, Word};
+pub use cone::Cone;
+pub use expose::Shown;
+pub use gloss::{Gloss, LobeAs};
 pub use path::{Estimate, PathTracer, Strategy, Traced};
+pub use tree::Limits;
+pub use two_pass::{Options, TwoPass};
+pub use whitted::Whitted;

@@ -1,0 +1,151 @@
+//! Gloss: light gathered over the cone about the reflection ray.
+
+use super::cone::Cone;
+use super::lamps::Lamps;
+use super::tree::{Journey, Meeting, Shade, Tally, Tree};
+use crate::geometry::{Frame, Ray, Rgb};
+use crate::material::Lobe;
+use crate::material::optics::reflect;
+use glam::{DVec3, dvec2};
+use std::f64::consts::TAU;
+
+/// How gloss is integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gloss {
+    /// How the directions about the reflection ray count.
+    pub lobe: LobeAs,
+    /// So many rays look for what is not a lamp, from each sample of a pixel; fewer where
+    /// the gloss is seen in another surface.
+    pub rays: usize,
+}
+
+/// What stands for a Phong lobe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LobeAs {
+    /// One cone that holds this share of it, in `(0, 1)`; all directions in it count the
+    /// same.
+    OneCone(f64),
+    /// So many cones, stacked: the lobe itself, on average over the samples of a pixel.
+    Stack(usize),
+}
+
+impl Default for Gloss {
+    /// A stack of 4 cones, and 8 rays.
+    fn default() -> Gloss {
+        Gloss { lobe: LobeAs::Stack(4), rays: 8 }
+    }
+}
+
+/// Gloss met by a ray.
+pub(super) struct Glossy {
+    pub at: Meeting,
+    pub normal: DVec3,
+    /// `Ks`.
+    pub reflectance: Rgb,
+    pub exponent: f64,
+}
+
+impl Glossy {
+    /// The middle of the lobe.
+    fn axis(&self) -> DVec3 {
+        reflect(self.at.direction, self.normal)
+    }
+
+    pub(super) fn albedo(&self) -> Rgb {
+        let cosine = -self.at.direction.dot(self.normal);
+        let lobe = Lobe::Phong { exponent: self.exponent };
+        self.reflectance * lobe.albedo(cosine.clamp(0.0, 1.0))
+    }
+
+    /// The radiance, W/(m² sr), that the lamps have the gloss show, straight from them.
+    ///
+    /// ```text
+    /// L = Ks (n + 2)/2π Σ_lamps E/π · mean of Ω⊥(lamp ∩ cone) over the stack
+    /// ```
+    // ANCHOR: of_lamps
+    pub(super) fn of_lamps(&self, lamps: &Lamps, how: &Gloss, offset: f64) -> Rgb {
+        let (cones, counts) = self.cones(how, offset);
+        let mut sum = Rgb::ZERO;
+        for (radiance, pieces) in lamps.seen_from(self.at.surface, self.at.point) {
+            let overlaps = pieces.iter().flat_map(|piece| {
+                let overlap = |c: &Cone| c.overlap(self.at.point, self.normal, piece);
+                cones.iter().map(overlap)
+            });
+            sum += radiance * overlaps.sum::<f64>();
+        }
+        counts * sum
+    }
+    // ANCHOR_END: of_lamps
+
+    /// The cones that stand for the lobe, and what radiance counts in each for every
+    /// steradian of projected solid angle.
+    // ANCHOR: cones
+    fn cones(&self, how: &Gloss, offset: f64) -> (Vec<Cone>, Rgb) {
+        match how.lobe {
+            LobeAs::OneCone(share) => {
+                let cone = Cone::holding(share, self.exponent, self.axis());
+                let all = cone.projected_solid_angle(self.normal);
+                (vec![cone], self.albedo() / all)
+            }
+            LobeAs::Stack(k) => {
+                let level = |j: usize| (j as f64 + offset) / k as f64;
+                let cone = |j| Cone::above(level(j), self.exponent, self.axis());
+                let peak = (self.exponent + 2.0) / TAU;
+                ((0..k).map(cone).collect(), self.reflectance * peak / k as f64)
+            }
+        }
+    }
+    // ANCHOR_END: cones
+
+    /// A direction of the lobe from a point of the unit square, and what radiance from
+    /// there counts; `None` below the horizon.
+    fn direction(&self, how: &Gloss, u: [f64; 2]) -> Option<(DVec3, Rgb)> {
+        let u = dvec2(u[0], u[1]);
+        if let LobeAs::OneCone(share) = how.lobe {
+            let cone = Cone::holding(share, self.exponent, self.axis());
+            let cosine = 1.0 - u.x * (1.0 - cone.half_angle.cos());
+            let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
+            let (s, c) = (TAU * u.y).sin_cos();
+            let local = DVec3::new(sine * c, sine * s, cosine);
+            let w = Frame::about(cone.axis).world_from_local(local);
+            let of_cone = cone.projected_solid_angle(self.normal);
+            let solid = TAU * (1.0 - cone.half_angle.cos());
+            let counts = self.albedo() * (w.dot(self.normal) * solid / of_cone);
+            return (w.dot(self.normal) > 0.0).then_some((w, counts));
+        }
+        let lobe = Lobe::Phong { exponent: self.exponent };
+        let frame = Frame::about(self.normal);
+        let wo = frame.local_from_world(-self.at.direction);
+        let wi = lobe.sample(wo, u);
+        let counts = self.reflectance * (lobe.value(wi, wo) * wi.z / lobe.pdf(wi, wo));
+        (wi.z > 0.0).then(|| (frame.world_from_local(wi), counts))
+    }
+
+    /// The radiance, W/(m² sr), that the gloss shows of all else: by rays.
+    // ANCHOR: by_rays
+    pub(super) fn by_rays(
+        &self,
+        how: &Gloss,
+        (tree, lamps_are_counted): (&Tree, bool),
+        journey: &Journey,
+        tally: &mut Tally,
+        shade: Shade,
+    ) -> Rgb {
+        let importance = journey.weight.max_element().min(1.0);
+        let rays = (how.rays as f64 * importance).ceil().max(1.0) as usize;
+        let mut sum = Rgb::ZERO;
+        for u in tally.points(rays) {
+            let Some((direction, counts)) = self.direction(how, u) else { continue };
+            let share = counts / rays as f64;
+            let on = tree.sent_on(journey, share, journey.inside.clone(), tally);
+            let Some(on) = on.map(|on| Journey { lamps_are_counted, ..on }) else {
+                continue;
+            };
+            let ray = Ray { origin: self.at.point, direction };
+            let from = (&ray, Some(self.at.surface));
+            sum += share * tree.arriving(from, &on, tally, shade);
+        }
+        sum
+    }
+    // ANCHOR_END: by_rays
+}

@@ -1,0 +1,266 @@
+//! The tree of rays: what shiny surfaces make of one ray, followed branch by branch.
+
+use crate::geometry::{Ray, Rgb};
+use crate::material::optics::{fresnel, pane, reflect, refract};
+use crate::material::{Material, Shine};
+use crate::random::Stream;
+use crate::scene::{MaterialId, Scene};
+use crate::visibility::Visibility;
+use glam::DVec3;
+use smallvec::SmallVec;
+
+/// How far rays are followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// So often one may be mirrored, refracted, passed on or scattered by gloss.
+    pub depth: u32,
+    /// Branches that count less than this in the picture are cut.
+    pub weight: f64,
+}
+
+impl Default for Limits {
+    /// Twenty-four times, and a five-hundredth.
+    fn default() -> Limits {
+        Limits { depth: 24, weight: 0.002 }
+    }
+}
+
+/// Where a ray meets a surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Meeting {
+    /// Which of [`Scene::surfaces`].
+    pub surface: u32,
+    pub point: DVec3,
+    /// Of the ray, of unit length.
+    pub direction: DVec3,
+    /// Is it the front that is met?
+    pub front: bool,
+}
+
+/// How a ray came to where it is.
+#[derive(Clone, Debug)]
+pub(super) struct Journey {
+    /// What its radiance counts in the picture.
+    pub weight: Rgb,
+    /// How often it was sent on.
+    pub depth: u32,
+    /// The solids that it is in, the innermost last.
+    pub inside: SmallVec<[MaterialId; 4]>,
+    /// Are lamps that it meets next dark, because their light is counted already?
+    pub lamps_are_counted: bool,
+}
+
+impl Journey {
+    /// That of a ray from the eye.
+    pub(super) fn start() -> Journey {
+        let inside = SmallVec::new();
+        Journey { weight: Rgb::ONE, depth: 0, inside, lamps_are_counted: false }
+    }
+}
+
+/// One way on from a surface.
+#[derive(Debug)]
+struct Branch {
+    direction: DVec3,
+    /// What the radiance that comes from there counts.
+    share: Rgb,
+    inside: SmallVec<[MaterialId; 4]>,
+}
+
+/// What is counted while a sample of a pixel is traced, and what its random numbers are
+/// called.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Tally {
+    pub rays: u64,
+    /// The weights of the branches that were cut.
+    pub cut: Rgb,
+    pub seed: u64,
+    pub pixel: u64,
+    pub sample: u64,
+    /// How often this sample has drawn points.
+    pub draws: u64,
+}
+
+impl Tally {
+    /// `n` points of the unit square. Those that a sample draws first go on where the
+    /// sample of the pixel before it ended, so that a pixel's samples share the work.
+    pub(super) fn points(
+        &mut self,
+        n: usize,
+    ) -> impl Iterator<Item = [f64; 2]> + use<> {
+        self.draws += 1;
+        let first = self.draws == 1;
+        let name = [self.pixel, if first { 0 } else { self.draws }, self.sample];
+        let skipped = if first { n * self.sample as usize } else { 0 };
+        let name = if first { &name[..1] } else { &name[..] };
+        Stream::named(self.seed, name).points(skipped + n).skip(skipped)
+    }
+
+    /// A number in `[0, 1)`; those of a pixel's samples lie evenly.
+    pub(super) fn offset(&self) -> f64 {
+        let shift = Stream::named(self.seed, &[self.pixel, self.draws]).next();
+        (shift + self.sample as f64 * GOLDEN).fract()
+    }
+}
+
+/// Multiples of it leave no gap, modulo 1, for long.
+const GOLDEN: f64 = 0.618_033_988_749_895;
+
+/// A scene, ready to follow rays through.
+pub(super) struct Tree<'s> {
+    pub scene: &'s Scene,
+    pub visibility: Visibility,
+    pub limits: Limits,
+}
+
+/// What a surface sends along a ray without mirroring or passing any: its diffuse light,
+/// and its gloss.
+pub(super) type Shade<'a> = &'a dyn Fn(&Meeting, &Journey, &mut Tally) -> Rgb;
+
+impl<'s> Tree<'s> {
+    pub(super) fn of(scene: &'s Scene, limits: Limits) -> Tree<'s> {
+        let visibility = Visibility::new(scene.surfaces.iter().map(|s| &s.polygon));
+        Tree { scene, visibility, limits }
+    }
+
+    pub(super) fn material(&self, surface: u32) -> &'s Material {
+        self.scene.material(&self.scene.surfaces[surface as usize])
+    }
+
+    /// The radiance, W/(m² sr), that comes against a ray.
+    // ANCHOR: arriving
+    pub(super) fn arriving(
+        &self,
+        (ray, leaving): (&Ray, Option<u32>),
+        journey: &Journey,
+        tally: &mut Tally,
+        shade: Shade,
+    ) -> Rgb {
+        tally.rays += 1;
+        let Some(hit) = self.visibility.closest(ray, leaving) else {
+            return self.sky(ray.direction);
+        };
+        let point = ray.origin + hit.distance * ray.direction;
+        let (surface, direction, front) = (hit.item, ray.direction, hit.front);
+        let at = Meeting { surface, point, direction, front };
+        self.leaving(&at, journey, tally, shade)
+    }
+    // ANCHOR_END: arriving
+
+    /// What a ray finds that leaves the scene.
+    pub(super) fn sky(&self, direction: DVec3) -> Rgb {
+        self.scene.sky.as_ref().map_or(Rgb::ZERO, |sky| sky.radiance(direction))
+    }
+
+    /// The radiance, W/(m² sr), that leaves a surface against the ray that meets it.
+    // ANCHOR: leaving
+    pub(super) fn leaving(
+        &self,
+        at: &Meeting,
+        journey: &Journey,
+        tally: &mut Tally,
+        shade: Shade,
+    ) -> Rgb {
+        let mut sum = shade(at, journey, tally);
+        for Branch { direction, share, inside } in self.branches(at, &journey.inside) {
+            let Some(on) = self.sent_on(journey, share, inside, tally) else {
+                continue;
+            };
+            let ray = Ray { origin: at.point, direction };
+            let from = (&ray, Some(at.surface));
+            sum += share * self.arriving(from, &on, tally, shade);
+        }
+        sum
+    }
+    // ANCHOR_END: leaving
+
+    /// The journey after a bounce that keeps this share, unless it is cut.
+    // ANCHOR: sent_on
+    pub(super) fn sent_on(
+        &self,
+        journey: &Journey,
+        share: Rgb,
+        inside: SmallVec<[MaterialId; 4]>,
+        tally: &mut Tally,
+    ) -> Option<Journey> {
+        let (weight, depth) = (journey.weight * share, journey.depth + 1);
+        if depth > self.limits.depth || weight.max_element() < self.limits.weight {
+            tally.cut += weight;
+            return None;
+        }
+        Some(Journey { weight, depth, inside, lamps_are_counted: false })
+    }
+    // ANCHOR_END: sent_on
+
+    /// The single directions from which light reaches the eye by way of `at`.
+    fn branches(
+        &self,
+        at: &Meeting,
+        inside: &SmallVec<[MaterialId; 4]>,
+    ) -> SmallVec<[Branch; 2]> {
+        let surface = &self.scene.surfaces[at.surface as usize];
+        let material = self.scene.material(surface);
+        let front = surface.polygon.normal();
+        let normal = if at.front { front } else { -front };
+        let cosine = (-at.direction.dot(normal)).clamp(0.0, 1.0);
+        let branch =
+            |direction, share| Branch { direction, share, inside: inside.clone() };
+        let mirrored = |share| branch(reflect(at.direction, normal), share);
+        let s = material.smooth_share();
+        let mut all: SmallVec<[Branch; 2]> = SmallVec::new();
+        match material.shine() {
+            Shine::Mirror { reflectance } if at.front => {
+                all.push(mirrored(reflectance));
+            }
+            Shine::Pane { index, tint } => {
+                let (r, t) = pane(cosine, index);
+                all.extend([mirrored(r * s), branch(at.direction, t * s * tint)]);
+            }
+            Shine::Glass { index, tint } => {
+                let (here, beyond, after) =
+                    self.across(surface.material, index, at.front, inside);
+                let eta = here / beyond;
+                let r = fresnel(cosine, eta).mean();
+                all.push(mirrored(r * s));
+                if let Some(direction) = refract(at.direction, normal, eta) {
+                    let share = (1.0 - r) * eta * eta * s * tint;
+                    all.push(Branch { direction, share, inside: after });
+                }
+            }
+            Shine::Dull | Shine::Mirror { .. } | Shine::Gloss { .. } => {}
+        }
+        all.retain(|branch| branch.share != Rgb::ZERO);
+        all
+    }
+
+    /// The indices before and behind a face of a solid, and the solids that a ray is in
+    /// behind it.
+    // ANCHOR: across
+    fn across(
+        &self,
+        solid: MaterialId,
+        index: f64,
+        entering: bool,
+        inside: &SmallVec<[MaterialId; 4]>,
+    ) -> (f64, f64, SmallVec<[MaterialId; 4]>) {
+        let mut after = inside.clone();
+        if entering {
+            after.push(solid);
+            return (self.innermost(inside), index, after);
+        }
+        if let Some(k) = after.iter().rposition(|&m| m == solid) {
+            after.remove(k); // else the eye began in here
+        }
+        let beyond = self.innermost(&after);
+        (index, beyond, after)
+    }
+
+    fn innermost(&self, inside: &[MaterialId]) -> f64 {
+        let shine = inside.last().map(|m| self.scene.materials[m.0 as usize].shine());
+        match shine {
+            Some(Shine::Glass { index, .. }) => index,
+            _ => 1.0,
+        }
+    }
+    // ANCHOR_END: across
+}

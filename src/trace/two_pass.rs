@@ -1,0 +1,190 @@
+//! The second of two passes: diffuse light is known, what shines is followed.
+
+use super::expose::{First, Shown, expose, followed};
+use super::gather::gathered;
+use super::gloss::{Gloss, Glossy};
+use super::lamps::{Lamps, Panes};
+use super::locate::Locate;
+use super::tree::{Journey, Limits, Meeting, Tally, Tree};
+use crate::film::Shot;
+use crate::geometry::{Ray, Rgb};
+use crate::material::Shine;
+use crate::mesh::Mesh;
+use crate::scene::Scene;
+use crate::solve::Progress;
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// How the second pass works.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// How far rays are followed.
+    pub limits: Limits,
+    /// How gloss is integrated.
+    pub gloss: Gloss,
+    /// So many rays gather the light on each diffuse point that the eye sees, from each
+    /// sample of a pixel; with 0 the light stored there is shown.
+    pub gather: usize,
+    /// Names the random streams.
+    pub seed: u64,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        let (limits, gloss) = (Limits::default(), Gloss::default());
+        Options { limits, gloss, gather: 0, seed: 0 }
+    }
+}
+
+/// A scene with its diffuse light, ready to be looked at.
+pub struct TwoPass<'s> {
+    tree: Tree<'s>,
+    mesh: &'s Mesh,
+    /// `B`, W/m², per vertex of the mesh.
+    radiosity: &'s [Rgb],
+    locate: Locate,
+    lamps: Lamps,
+    options: Options,
+}
+
+impl<'s> TwoPass<'s> {
+    /// Of a scene whose diffuse light was found: `radiosity` is `B`, W/m², of each vertex
+    /// of `mesh`, with the surfaces' own emission.
+    pub fn of(
+        scene: &'s Scene,
+        mesh: &'s Mesh,
+        radiosity: &'s [Rgb],
+        options: Options,
+    ) -> TwoPass<'s> {
+        assert_eq!(radiosity.len(), mesh.vertices.len(), "one B for each vertex");
+        let asks = |m: &crate::material::Material| {
+            options.gather > 0 || matches!(m.shine(), Shine::Gloss { .. })
+        };
+        let lamps = Lamps::of(scene, Panes::Block, asks);
+        let (tree, locate) = (Tree::of(scene, options.limits), Locate::of(scene, mesh));
+        TwoPass { tree, mesh, radiosity, locate, lamps, options }
+    }
+
+    /// What a camera sees.
+    ///
+    /// Of what shows a diffuse surface first, the stored light is taken as
+    /// [`Shot::smooth`] does; only where something shines are rays followed: none, if
+    /// nothing does. Deterministic: the same at any number of threads.
+    // ANCHOR: picture
+    pub fn picture(&self, shot: &Shot, progress: Progress) -> Shown {
+        let radiance = |first: &First, tally: &mut Tally| match first {
+            First::Element(element, at) if self.is_stored(at) => {
+                let element = &self.mesh.elements[*element as usize];
+                self.mesh.value_at(element, at.point, self.radiosity) / PI
+            }
+            other => followed(&self.tree, other, tally, &|at, journey, tally| {
+                self.shade(at, journey, tally)
+            }),
+        };
+        expose(shot, &self.tree, self.mesh, self.options.seed, &radiance, progress)
+    }
+    // ANCHOR_END: picture
+
+    /// The radiance, W/(m² sr), that comes against a ray, and how many rays it took.
+    pub fn radiance(&self, ray: &Ray) -> (Rgb, u64) {
+        let mut tally = Tally { seed: self.options.seed, ..Tally::default() };
+        let radiance = self.arriving((ray, None), &Journey::start(), &mut tally);
+        (radiance, tally.rays)
+    }
+
+    /// Is all that leaves here stored?
+    fn is_stored(&self, at: &Meeting) -> bool {
+        at.front
+            && self.options.gather == 0
+            && self.tree.material(at.surface).shine().is_dull()
+    }
+
+    fn arriving(
+        &self,
+        from: (&Ray, Option<u32>),
+        journey: &Journey,
+        tally: &mut Tally,
+    ) -> Rgb {
+        let shade = |at: &Meeting, journey: &Journey, tally: &mut Tally| {
+            self.shade(at, journey, tally)
+        };
+        self.tree.arriving(from, journey, tally, &shade)
+    }
+
+    /// The diffuse light and the gloss of what a ray meets.
+    // ANCHOR: shade
+    fn shade(&self, at: &Meeting, journey: &Journey, tally: &mut Tally) -> Rgb {
+        if !at.front {
+            return Rgb::ZERO; // black, unless it is a surface of its own
+        }
+        let gathers = self.options.gather > 0 && journey.depth == 0;
+        let diffuse =
+            if gathers { self.gather(at, journey, tally) } else { self.stored(at) };
+        let counted = match journey.lamps_are_counted {
+            true => self.tree.material(at.surface).emission() / PI,
+            false => Rgb::ZERO,
+        };
+        diffuse - counted + self.gloss(at, journey, tally)
+    }
+    // ANCHOR_END: shade
+
+    /// `B/π` as it was found, W/(m² sr).
+    // ANCHOR: stored
+    fn stored(&self, at: &Meeting) -> Rgb {
+        let element = self.locate.element(self.mesh, at.surface, at.point);
+        element.map_or(Rgb::ZERO, |id| {
+            let element = self.mesh.element(id);
+            self.mesh.value_at(element, at.point, self.radiosity) / PI
+        })
+    }
+    // ANCHOR_END: stored
+
+    /// What gloss shows, W/(m² sr): the lamps exactly, all else by rays.
+    // ANCHOR: gloss
+    fn gloss(&self, at: &Meeting, journey: &Journey, tally: &mut Tally) -> Rgb {
+        let Shine::Gloss { reflectance, exponent } =
+            self.tree.material(at.surface).shine()
+        else {
+            return Rgb::ZERO;
+        };
+        let normal = self.normal(at.surface);
+        let glossy = Glossy { at: *at, normal, reflectance, exponent };
+        let (how, counted) = (&self.options.gloss, self.lamps.are_counted());
+        let lamps = glossy.of_lamps(&self.lamps, how, tally.offset());
+        let tree = (&self.tree, counted);
+        let shade =
+            |at: &Meeting, on: &Journey, tally: &mut Tally| self.shade(at, on, tally);
+        lamps + glossy.by_rays(how, tree, journey, tally, &shade)
+    }
+    // ANCHOR_END: gloss
+
+    fn normal(&self, surface: u32) -> DVec3 {
+        self.tree.scene.surfaces[surface as usize].polygon.normal()
+    }
+
+    /// The diffuse light of a point, W/(m² sr), gathered anew from all sides: final
+    /// gathering.
+    ///
+    /// ```text
+    /// L = (E + ρ H + τ H_back)/π
+    /// ```
+    fn gather(&self, at: &Meeting, journey: &Journey, tally: &mut Tally) -> Rgb {
+        let surface = &self.tree.scene.surfaces[at.surface as usize];
+        let material = self.tree.scene.material(surface);
+        let mut on = |surface: u32, share: Rgb| {
+            if share == Rgb::ZERO {
+                return Rgb::ZERO;
+            }
+            let place = (surface, at.point, self.normal(surface));
+            let shade = |at: &Meeting, on: &Journey, tally: &mut Tally| {
+                self.shade(at, on, tally)
+            };
+            let rays = self.options.gather;
+            let of = (&self.tree, &self.lamps);
+            share * gathered(of, place, rays, (journey, tally), &shade)
+        };
+        let front = on(at.surface, material.diffuse());
+        let back = surface.back.map_or(Rgb::ZERO, |b| on(b, material.translucence()));
+        (material.emission() + front + back) / PI
+    }
+}

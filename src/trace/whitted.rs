@@ -1,0 +1,130 @@
+//! Classical ray tracing: mirrors, glass, and lamps; no light between diffuse surfaces.
+
+use super::expose::{Shown, expose, followed};
+use super::gloss::{Gloss, Glossy};
+use super::lamps::{Lamps, Panes};
+use super::tree::{Journey, Limits, Meeting, Tally, Tree};
+use crate::film::Shot;
+use crate::geometry::{Polygon, Ray, Rgb};
+use crate::material::optics::pane;
+use crate::material::{Material, Shine};
+use crate::mesh::Mesh;
+use crate::scene::Scene;
+use crate::solve::Progress;
+use crate::visibility::Visibility;
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// A scene, ready for classical ray tracing.
+///
+/// ```text
+/// L = E/π + ρ (H_lamps + A)/π  +  R L(reflected)  +  T L(refracted)
+/// ```
+/// Light reaches a diffuse surface straight from lamps and no other way; `A` is a constant
+/// that stands for all other light. A translucent surface gets the light of both its
+/// sides. Gloss shows the lamps, and `A` in place of all else.
+pub struct Whitted<'s> {
+    tree: Tree<'s>,
+    /// One element for each surface: what the eye sees first is looked up.
+    mesh: Mesh,
+    lamps: Lamps,
+    panes: Visibility,
+    of_pane: Vec<u32>,
+    /// `A`, W/m²: irradiance that is the same everywhere; 0 unless it is set.
+    pub ambient: Rgb,
+}
+
+impl<'s> Whitted<'s> {
+    /// Of a scene.
+    pub fn of(scene: &'s Scene, limits: Limits) -> Whitted<'s> {
+        let is_pane = |k: &u32| {
+            let surface = &scene.surfaces[*k as usize];
+            matches!(scene.material(surface).shine(), Shine::Pane { .. })
+        };
+        let of_pane: Vec<u32> =
+            (0..scene.surfaces.len() as u32).filter(is_pane).collect();
+        let polygon = |&k: &u32| &scene.surfaces[k as usize].polygon;
+        let panes = Visibility::new(of_pane.iter().map(polygon));
+        let mesh = Mesh::whole(scene);
+        let lamps = Lamps::of(scene, Panes::Pass, |_| true);
+        let tree = Tree::of(scene, limits);
+        Whitted { tree, mesh, lamps, panes, of_pane, ambient: Rgb::ZERO }
+    }
+
+    /// What a camera sees. Deterministic: the same at any number of threads.
+    pub fn picture(&self, shot: &Shot, progress: Progress) -> Shown {
+        let shade = |at: &Meeting, journey: &Journey, tally: &mut Tally| {
+            self.shade(at, journey, tally)
+        };
+        let radiance =
+            |first: &_, tally: &mut Tally| followed(&self.tree, first, tally, &shade);
+        expose(shot, &self.tree, &self.mesh, 0, &radiance, progress)
+    }
+
+    /// The radiance, W/(m² sr), that comes against a ray, and how many rays it took.
+    pub fn radiance(&self, ray: &Ray) -> (Rgb, u64) {
+        let shade = |at: &Meeting, journey: &Journey, tally: &mut Tally| {
+            self.shade(at, journey, tally)
+        };
+        let mut tally = Tally::default();
+        let (tree, start) = (&self.tree, Journey::start());
+        (tree.arriving((ray, None), &start, &mut tally, &shade), tally.rays)
+    }
+
+    // ANCHOR: shade
+    fn shade(&self, at: &Meeting, _: &Journey, tally: &mut Tally) -> Rgb {
+        if !at.front {
+            return Rgb::ZERO;
+        }
+        let surface = &self.tree.scene.surfaces[at.surface as usize];
+        let material = self.tree.scene.material(surface);
+        let front = material.diffuse() * self.light_on(at.surface, at.point);
+        let back = surface.back.map_or(Rgb::ZERO, |back| {
+            material.translucence() * self.light_on(back, at.point)
+        });
+        (material.emission() + front + back) / PI + self.gloss(at, material, tally)
+    }
+    // ANCHOR_END: shade
+
+    /// Irradiance, W/m², straight from the lamps, and `A`.
+    // ANCHOR: light_on
+    fn light_on(&self, surface: u32, x: DVec3) -> Rgb {
+        let normal = self.tree.scene.surfaces[surface as usize].polygon.normal();
+        let through = |lamp: &Polygon| self.through_panes(x, lamp.centroid());
+        self.ambient + self.lamps.irradiance((surface, x, normal), through)
+    }
+    // ANCHOR_END: light_on
+
+    /// What panes let pass straight from `y` to `x`.
+    fn through_panes(&self, x: DVec3, y: DVec3) -> Rgb {
+        let (mut share, mut leaving) = (Rgb::ONE, None);
+        let mut ray = Ray { origin: x, direction: (y - x).normalize() };
+        let mut left = x.distance(y);
+        while let Some(hit) = self.panes.closest(&ray, leaving) {
+            left -= hit.distance;
+            if left <= 0.0 {
+                break;
+            }
+            let id = self.of_pane[hit.item as usize];
+            let surface = &self.tree.scene.surfaces[id as usize];
+            let material = self.tree.scene.material(surface);
+            if let Shine::Pane { index, tint } = material.shine() {
+                let cosine = surface.polygon.normal().dot(ray.direction).abs();
+                share *= material.smooth_share() * tint * pane(cosine, index).1;
+            }
+            ray.origin += hit.distance * ray.direction;
+            leaving = Some(hit.item);
+        }
+        share
+    }
+
+    fn gloss(&self, at: &Meeting, material: &Material, tally: &Tally) -> Rgb {
+        let Shine::Gloss { reflectance, exponent } = material.shine() else {
+            return Rgb::ZERO;
+        };
+        let normal = self.tree.scene.surfaces[at.surface as usize].polygon.normal();
+        let glossy = Glossy { at: *at, normal, reflectance, exponent };
+        let lamps = glossy.of_lamps(&self.lamps, &Gloss::default(), tally.offset());
+        lamps + glossy.albedo() * self.ambient / PI
+    }
+}

@@ -112,8 +112,10 @@ impl Lamps {
         surface: u32,
         x: DVec3,
     ) -> impl Iterator<Item = (Rgb, Vec<Outline>)> {
-        self.before(surface)
-            .map(move |((lamp, e), past)| (*e / PI, visible_parts(x, lamp, &past)))
+        let fronts = self
+            .before(surface)
+            .filter(move |((lamp, _), _)| lamp.plane().height(x) > 0.0);
+        fronts.map(move |((lamp, e), past)| (*e / PI, visible_parts(x, lamp, &past)))
     }
 }
 

@@ -21,6 +21,7 @@ pub mod specular;
 pub mod form_factor;
 pub mod virtual_world;
 pub mod solve;
+pub mod directional;
 pub mod film;
 pub mod trace;
 pub mod plan;

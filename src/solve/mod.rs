@@ -50,7 +50,7 @@ pub use conjugate::ConjugateGradients;
 pub use direct::{Direct, OnPiece};
 pub use gauss_seidel::GaussSeidel;
 pub use jacobi::Jacobi;
-pub use ledger::Ledger;
+pub use ledger::{Ledger, LostPower};
 pub use overshoot::Overshoot;
 pub use shoot::{Brightest, Shoot};
 pub use smooth::{Resolution, Smooth, smooth};

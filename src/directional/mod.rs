@@ -18,10 +18,10 @@
 //! | [`Bins`]      | directions are to be counted          | a highlight is smaller    |
 //! | [`Transport`] | all beams between few patches are due | memory ends: `n² m` pairs |
 //! | [`Scatter`]   | a BRDF is met in bins                 | memory ends: `m²` a paint |
-//! | [`Directional`] | gloss lights a small scene for all eyes | the same              |
-//! | [`beam_by_walks`] | one beam is due, unbiased         | never; error as 1/√walks  |
+//! | [`Directional`] | a small glossy scene, for all eyes  | the same                  |
+//! | [`Walk`]      | the truth is wanted                   | lamps are small: noise    |
 //!
-//! **Not here:** mirrors, which have no BRDF; what a camera sees. This is a demonstration:
+//! **Not here:** mirrors, panes and glass, which have no BRDF; translucence; cameras. This is a demonstration:
 //! rays and a second pass carry gloss for less. Chapter *Why not specular radiosity?* (L16).
 //! Sources: Immel, Cohen & Greenberg 1986 (directions as unknowns); Sillion, Arvo, Westin
 //! & Greenberg 1991 (spherical harmonics in place of bins); Sinkhorn & Knopp 1967.
@@ -34,10 +34,9 @@ mod walk;
 pub use bins::Bins;
 pub use scatter::Scatter;
 pub use transport::Transport;
-pub use walk::{BeamRadiance, beam_by_walks};
+pub use walk::Walk;
 
 use crate::geometry::Rgb;
-use crate::material::Brdf;
 use crate::mesh::{ElementId, Mesh};
 use crate::scene::Scene;
 use crate::solve::{Ledger, LostPower};
@@ -65,15 +64,13 @@ pub struct Directional<'a> {
 
 impl<'a> Directional<'a> {
     /// Starts with the lamps alone. The patches are the elements of `mesh`, the same as
-    /// `transport` is of; `brdfs` has one for each material of `scene`.
+    /// `transport` is of.
     pub fn new(
         scene: &Scene,
         mesh: &Mesh,
-        brdfs: &[Brdf],
         transport: &'a Transport,
     ) -> Directional<'a> {
         assert_eq!(transport.patches(), mesh.elements.len(), "one row of beams each");
-        assert_eq!(brdfs.len(), scene.materials.len(), "one BRDF per material");
         let bins = transport.bins();
         let paint: Vec<u32> =
             mesh.elements.iter().map(|e| mesh.patch_of(e).material.0).collect();
@@ -83,7 +80,8 @@ impl<'a> Directional<'a> {
         let radiance: Vec<Rgb> =
             emission.iter().flat_map(|&e| vec![e; bins.len()]).collect();
         let incoming = transport.incoming(&radiance);
-        let scatter = brdfs.iter().map(|f| Scatter::of(f, bins)).collect();
+        let scatter =
+            scene.materials.iter().map(|m| Scatter::of(&m.brdf(), bins)).collect();
         Directional { transport, scatter, paint, emission, radiance, incoming }
     }
 

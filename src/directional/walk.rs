@@ -1,71 +1,41 @@
-//! The radiance of one beam by random walks: no bins, no bias.
+//! Radiance by random walks: no patches, no bins, no bias.
 
-use super::Bins;
 use crate::geometry::{Frame, Ray, Rgb};
 use crate::material::Brdf;
-use crate::mesh::{ElementId, Mesh};
 use crate::random::Stream;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 use glam::{DVec3, dvec2};
 use std::f64::consts::FRAC_1_PI;
 
-/// The mean radiance of a beam, by walks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BeamRadiance {
-    /// `L`, W/(m² sr).
-    pub radiance: Rgb,
-    /// Its standard error.
-    pub error: Rgb,
-}
-
-/// The mean radiance that `element` sends into `bin`, by so many `walks` (two at least).
-///
-/// ```text
-/// L(x, ωₒ) = E/π + f(ωᵢ, ωₒ) cosθᵢ/p(ωᵢ) · L(x', −ωᵢ)           on the average
-/// ```
-/// Each walk starts anywhere on the element and anywhere in the bin, and goes on as the
-/// BRDF samples; it ends by chance. `brdfs` has one for each material of `scene`.
-///
-/// # Accuracy
-/// Unbiased; the standard error is told, and falls as one over the root of the walks.
-pub fn beam_by_walks(
-    scene: &Scene,
-    mesh: &Mesh,
-    brdfs: &[Brdf],
-    (element, bins, bin): (ElementId, Bins, u32),
-    walks: usize,
-    seed: u64,
-) -> BeamRadiance {
-    let surfaces = Visibility::new(scene.surfaces.iter().map(|s| &s.polygon));
-    let walk = Walk { scene, brdfs, surfaces };
-    let of = mesh.element(element);
-    let frame = Frame::about(of.polygon.normal());
-    let mut random = Stream::named(seed, &[u64::from(element.0), u64::from(bin)]);
-    let (mut sum, mut squares) = (Rgb::ZERO, Rgb::ZERO);
-    for _ in 0..walks {
-        let x = of.polygon.point_at([random.next(), random.next()]);
-        let wo = bins.direction(bin, dvec2(random.next(), random.next()));
-        let wo = frame.world_from_local(wo);
-        let radiance = walk.radiance(mesh.surface_of(of), x, wo, &mut random);
-        sum += radiance;
-        squares += radiance * radiance;
-    }
-    let n = walks as f64;
-    let mean = sum / n;
-    let variance = (squares / n - mean * mean).max(Rgb::ZERO) / (n - 1.0);
-    BeamRadiance { radiance: mean, error: variance.map(f64::sqrt) }
-}
-
-struct Walk<'a> {
+/// Random walks against the light, in a scene whose surfaces scatter by their BRDFs.
+pub struct Walk<'a> {
     scene: &'a Scene,
-    brdfs: &'a [Brdf],
+    /// One for each material.
+    brdfs: Vec<Brdf>,
     surfaces: Visibility,
 }
 
-impl Walk<'_> {
-    /// What `surface` sends from its point `x` along `wo`, on the average.
-    fn radiance(
+impl<'a> Walk<'a> {
+    /// Ready to walk.
+    pub fn of(scene: &'a Scene) -> Walk<'a> {
+        let surfaces = Visibility::new(scene.surfaces.iter().map(|s| &s.polygon));
+        let brdfs = scene.materials.iter().map(|m| m.brdf()).collect();
+        Walk { scene, brdfs, surfaces }
+    }
+
+    /// The radiance, W/(m² sr), that a surface sends from its point `x` along `wo`, of unit
+    /// length, as one walk finds it.
+    ///
+    /// ```text
+    /// L(x, ωₒ) = E/π + f(ωᵢ, ωₒ) cosθᵢ/p(ωᵢ) · L(x', −ωᵢ)         on the average
+    /// ```
+    /// It goes on as the BRDF samples, and ends by chance.
+    ///
+    /// # Accuracy
+    /// Unbiased: the mean of many walks is right, to `σ/√walks`. A small lamp is rarely
+    /// met, and `σ` large.
+    pub fn radiance(
         &self,
         mut surface: u32,
         mut x: DVec3,

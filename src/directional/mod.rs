@@ -57,9 +57,10 @@ pub struct Directional<'a> {
     paint: Vec<u32>,
     /// `E_i/π`, per patch.
     emission: Vec<Rgb>,
-    /// Per beam, both.
+    /// Per beam: what leaves, what then arrives, and what will leave next.
     radiance: Vec<Rgb>,
     incoming: Vec<Rgb>,
+    next: Vec<Rgb>,
 }
 
 impl<'a> Directional<'a> {
@@ -82,7 +83,18 @@ impl<'a> Directional<'a> {
         let incoming = transport.incoming(&radiance);
         let scatter =
             scene.materials.iter().map(|m| Scatter::of(&m.brdf(), bins)).collect();
-        Directional { transport, scatter, paint, emission, radiance, incoming }
+        let next = Vec::new();
+        let mut start = Directional {
+            transport,
+            scatter,
+            paint,
+            emission,
+            radiance,
+            incoming,
+            next,
+        };
+        start.next = start.lit();
+        start
     }
 
     /// `L_ib`, W/(m² sr), of each beam: those of the first patch, of the second, …
@@ -119,8 +131,9 @@ impl<'a> Directional<'a> {
     // ANCHOR: bounce
     /// One more bounce of all the light.
     fn bounce(&mut self) -> Ledger {
-        self.radiance = self.lit();
+        self.radiance = std::mem::take(&mut self.next);
         self.incoming = self.transport.incoming(&self.radiance);
+        self.next = self.lit();
         self.draw_up()
     }
 
@@ -141,16 +154,15 @@ impl<'a> Directional<'a> {
     /// Every beam carries `A_i π/m` times its radiance.
     fn draw_up(&self) -> Ledger {
         let m = self.transport.bins().len();
-        let next = self.lit();
         let (mut emitted, mut absorbed, mut unshot) = (Rgb::ZERO, Rgb::ZERO, Rgb::ZERO);
         let mut lost = LostPower::default();
-        for beam in 0..self.radiance.len() {
+        for (beam, &next) in self.next.iter().enumerate() {
             let (i, bin) = (beam / m, beam % m);
             let etendue = self.transport.area(i) * PI / m as f64;
             let albedo = self.scatter[self.paint[i] as usize].albedo(bin);
             emitted += etendue * self.emission[i];
             absorbed += etendue * (Rgb::ONE - albedo) * self.incoming[beam];
-            unshot += etendue * (next[beam] - self.radiance[beam]);
+            unshot += etendue * (next - self.radiance[beam]);
             lost.add(etendue * self.radiance[beam], self.transport.lost(beam));
         }
         absorbed += lost.absorbed;

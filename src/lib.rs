@@ -11,6 +11,7 @@ pub mod geometry;
 pub mod random;
 pub mod radiometry;
 pub mod material;
+pub mod texture;
 pub mod sky;
 pub mod scene;
 pub mod obj;

@@ -68,7 +68,7 @@ impl FormFactors {
         };
         let tolerance = values::positive("--tolerance", self.tolerance)?;
         let samples = samples(self.samples, self.method)?;
-        let scene = self.source.load(terminal)?;
+        let scene = self.source.load(terminal)?.bare_geometry();
         let faces = scene.faces.len().max(scene.surfaces.len());
         if faces > MOST_FACES {
             return Err(Refusal(format!(

@@ -2,7 +2,7 @@
 
 use super::report::{self, rgb};
 use radiosity::geometry::Rgb;
-use radiosity::scene::Scene;
+use radiosity::scene::{Face, Scene, Side};
 use radiosity::solve::Solution;
 use serde_json::json;
 use std::fmt::Write;
@@ -11,7 +11,7 @@ use std::fmt::Write;
 pub struct FaceLight {
     /// Area of one side, scene units squared; 0 for a face that others cover wholly.
     pub area: f64,
-    /// `B = Ke + Kd H`, W/m².
+    /// `B = Ke + Kd H + Td H_back`, W/m².
     pub radiosity: Rgb,
     /// `H`, W/m²; 0 for a face that others cover wholly.
     pub irradiance: Rgb,
@@ -19,17 +19,22 @@ pub struct FaceLight {
 
 /// The area means of each face of the OBJ file, in file order.
 pub fn faces(scene: &Scene, solution: &Solution) -> Vec<FaceLight> {
-    let mut arriving = vec![Rgb::ZERO; scene.faces.len()];
+    // On the front and on the back of each, W.
+    let mut arriving = vec![[Rgb::ZERO; 2]; scene.faces.len()];
     for (element, &irradiance) in
         solution.mesh.elements.iter().zip(&solution.irradiance)
     {
-        let face = solution.mesh.patch_of(element).face;
-        arriving[face.0 as usize] += element.polygon.area() * irradiance;
+        let surface = &scene.surfaces[solution.mesh.surface_of(element) as usize];
+        let side = usize::from(surface.side == Side::Back);
+        arriving[surface.face.0 as usize][side] += element.polygon.area() * irradiance;
     }
-    let light = |((face, area), arriving): ((&radiosity::scene::Face, f64), Rgb)| {
+    let light = |((face, area), arriving): ((&Face, f64), [Rgb; 2])| {
         let material = &scene.materials[face.material.0 as usize];
-        let irradiance = if area > 0.0 { arriving / area } else { Rgb::ZERO };
-        let radiosity = material.emission() + material.diffuse() * irradiance;
+        let mean = |arriving| if area > 0.0 { arriving / area } else { Rgb::ZERO };
+        let [irradiance, behind] = arriving.map(mean);
+        let radiosity = material.emission()
+            + material.diffuse() * irradiance
+            + material.translucence() * behind;
         FaceLight { area, radiosity, irradiance }
     };
     scene.faces.iter().zip(scene.face_areas()).zip(arriving).map(light).collect()
@@ -88,11 +93,16 @@ pub fn json(
         })
     };
     all["faces"] = faces(scene, solution).iter().enumerate().map(face).collect();
+    let side = |element| {
+        let surface = &scene.surfaces[solution.mesh.surface_of(element) as usize];
+        if surface.side == Side::Front { "front" } else { "back" }
+    };
     let vertices = solution.mesh.vertices.iter().zip(&solution.vertex_radiosity);
     let elements = solution.mesh.elements.iter().enumerate().map(|(k, element)| {
         let corners: Vec<u32> = element.corners.iter().map(|corner| corner.0).collect();
         json!({
             "face": solution.mesh.patch_of(element).face.0,
+            "side": side(element),
             "corners": corners,
             "area": element.polygon.area(),
             "B": rgb(solution.radiosity[k]),

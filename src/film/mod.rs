@@ -26,6 +26,7 @@ mod false_colour;
 mod file;
 mod view;
 
+pub use crate::texture::linear_from_srgb;
 pub use compare::{Difference, compare, side_by_side};
 pub use draw::{colour_of_id, hemicube_cross};
 pub use false_colour::{FalseColour, luminance};
@@ -100,11 +101,6 @@ pub fn srgb_from_linear(v: f64) -> f64 {
     if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 }
 }
 // ANCHOR_END: srgb
-
-/// The linear value, in `[0, 1]`, of an sRGB code value in `[0, 1]` (IEC 61966-2-1).
-pub fn linear_from_srgb(v: f64) -> f64 {
-    if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
-}
 
 /// The 8-bit sRGB code of a linear value; below 0 is black, above 1 white.
 pub fn byte(v: f64) -> u8 {

@@ -163,6 +163,11 @@ impl Material {
         Ok(Material { name, coefficients })
     }
 
+    /// A material that absorbs all light.
+    pub fn black(name: impl Into<String>) -> Material {
+        Material { name: name.into(), coefficients: Coefficients::default() }
+    }
+
     /// Its name, as in the MTL file.
     pub fn name(&self) -> &str {
         &self.name

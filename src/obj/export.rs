@@ -1,19 +1,23 @@
 //! A scene written as OBJ and MTL, such that [`load`](super::load) makes the same scene.
 
+use super::sky;
 use crate::geometry::Rgb;
 use crate::material::Shine;
 use crate::scene::{Camera, Scene};
+use crate::sky::{Kind, Sky};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// Writes `NAME.obj` and `NAME.mtl` into `folder`, which is made if need be.
+/// Writes `NAME.obj` and `NAME.mtl` into `folder`, which is made if need be, and
+/// `NAME.hdr` where the sky is a panorama.
 ///
 /// Faces are written as they were given, uncut, in order of their ids; numbers with as
-/// many digits as it takes to read them back bit for bit. Each file is written under a
-/// temporary name and renamed. Returns the two paths.
+/// many digits as it takes to read them back bit for bit, but for a panorama, which comes
+/// back as exactly as `.hdr` files are. Each file is written under a temporary name and
+/// renamed. Returns the paths, the OBJ's first.
 ///
 /// # Errors
 /// When the folder cannot be made or written to; the error names the path.
@@ -24,9 +28,16 @@ pub fn export(scene: &Scene, folder: impl AsRef<Path>) -> io::Result<Vec<PathBuf
     let names = material_names(scene);
     let obj = folder.join(format!("{stem}.obj"));
     let mtl = folder.join(format!("{stem}.mtl"));
-    write(&mtl, &mtl_text(scene, &names))?;
-    write(&obj, &obj_text(scene, &names, &stem))?;
-    Ok(vec![obj, mtl])
+    let mut files = vec![obj, mtl];
+    if let Some(Kind::Panorama(panorama)) = scene.sky.as_ref().map(Sky::kind) {
+        let path = folder.join(format!("{stem}.hdr"));
+        let bytes = panorama.encode().map_err(io::Error::other);
+        write(&path, &bytes.map_err(|error| naming(&path, error))?)?;
+        files.push(path);
+    }
+    write(&files[1], mtl_text(scene, &names).as_bytes())?;
+    write(&files[0], obj_text(scene, &names, &stem).as_bytes())?;
+    Ok(files)
 }
 
 /// The name with all that file systems dislike replaced by `-`.
@@ -87,6 +98,9 @@ fn obj_text(scene: &Scene, names: &[String], stem: &str) -> String {
     let Camera { eye, target, up, fov } = scene.camera;
     let (eye, target, up) = (triple(eye), triple(target), triple(up));
     let _ = writeln!(text, "# camera eye {eye} target {target} up {up} fov {fov}");
+    if let Some(sky) = &scene.sky {
+        let _ = writeln!(text, "{}", sky::line(sky, &format!("{stem}.hdr")));
+    }
     let _ = writeln!(text, "mtllib {stem}.mtl\n");
 
     let mut numbers: HashMap<[u64; 3], usize> = HashMap::new();
@@ -117,12 +131,12 @@ fn one_line(text: &str) -> String {
 }
 
 /// Writes a file under a temporary name and renames it.
-fn write(path: &Path, text: &str) -> io::Result<()> {
+fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut temporary = path.as_os_str().to_owned();
     temporary.push(".part");
     let temporary = PathBuf::from(temporary);
     let written =
-        fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
+        fs::write(&temporary, bytes).and_then(|()| fs::rename(&temporary, path));
     written.map_err(|error| {
         let _ = fs::remove_file(&temporary); // the first error is the one to tell
         naming(path, error)

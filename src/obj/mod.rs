@@ -16,26 +16,35 @@
 //! | `usemtl NAME`  | material of the faces below; `NAME` must be defined              |
 //! | `mtllib FILE`  | where materials are defined, relative to the OBJ                 |
 //! | `# camera …`   | a view (ours): `eye x y z target x y z up x y z fov degrees`     |
+//! | `# sky …`      | what shines around (ours): `uniform r g b up x y z`, or overcast |
+//! |                | (the zenith's), or `panorama up x y z file NAME.hdr`             |
 //!
 //! | in the MTL         | meaning                                                      |
 //! |--------------------|--------------------------------------------------------------|
 //! | `Ke r g b`         | emitted radiosity of the front, W/m² (radiance is `Ke/π`)    |
 //! | `Kd r g b`         | diffuse reflectance, `< 1`; 0 when absent                    |
-//! | `Ks r g b`         | specular reflectance; counts as absorbed, with a warning     |
-//! | `Td r g b`         | diffuse transmittance (ours); absorbed, with a warning       |
-//! | `illum` 4, 6, 7, 9 | glass; what it would pass or mirror counts as absorbed       |
-//! | `map_Kd`, `map_Ke` | textures; the constants stand for them, with a warning       |
+//! | `Td r g b`         | diffuse transmittance (ours), of both sides; `Kd + Td < 1`   |
+//! | `Ks r g b`         | specular reflectance: a mirror with `illum` 3, 5, 8; else    |
+//! |                    | gloss, a lobe of exponent `Ns`                               |
+//! | `illum` 4, 9       | a thin pane of index `Ni`; light goes straight through       |
+//! | `illum` 6, 7       | the boundary of a solid, normals outward: rays bend          |
+//! | `Tf r g b`         | what panes and glass let through; else `d`, else `1 − Tr`    |
+//! | `map_Kd`, `map_Ke` | textures: their mean, in linear light, times the constant    |
 //!
-//! One number stands for three equal ones. A face without `usemtl` reflects 0.5.
+//! One number stands for three equal ones. A face without `usemtl` reflects 0.5. Panes and
+//! glass need no `Ks`: Fresnel's law reflects.
 //! Everything that is ignored although it changes the light is warned of.
 //!
-//! **Not here:** curves and surfaces, textures, specular transport.
+//! **Not here:** curves and surfaces, the patterns of textures.
 //! Chapter *The pipeline* (L08). Sources: Wavefront, *Object Files* and *MTL* (1995).
 
 mod export;
 mod lines;
+mod map;
 mod mtl;
 mod scan;
+mod sky;
+mod solid;
 
 pub use export::export;
 
@@ -117,7 +126,8 @@ pub fn read(
     open: impl Fn(&Path) -> io::Result<Vec<u8>>,
 ) -> Result<(Scene, Vec<String>), ObjError> {
     let scan = scan::scan(path, bytes)?;
-    let library = mtl::read(path, &scan.libraries, open)?;
+    let used = scan.uses.iter().map(|(name, _)| &name[..]).collect();
+    let library = mtl::read(path, &scan.libraries, &used, &open)?;
     for (name, line) in &scan.uses {
         if !library.index.contains_key(name) {
             let remedy = "define it with `newmtl` in a file named by `mtllib`";
@@ -144,7 +154,8 @@ pub fn read(
     }
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let line = |face: crate::scene::FaceId| scan.faces[face.0 as usize].0;
-    let (scene, repairs) = Scene::assemble(name, materials, faces, scan.camera)
+    warnings.extend(solid::warnings(path, &faces, &materials, |k| scan.faces[k].0));
+    let (mut scene, repairs) = Scene::assemble(name, materials, faces, scan.camera)
         .map_err(|error| {
             let (line, text) = &scan.faces[error.face.0 as usize];
             let message = format!("face `{text}` {}", error.reason);
@@ -159,6 +170,14 @@ pub fn read(
         };
         format!("{}{what}", at(path, Some(line(repair.face()))))
     }));
+    if let Some((text, line)) = &scan.sky {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        scene.sky = sky::read(text, folder, &open)
+            .map_err(|message| ObjError::new(path, *line, message))?;
+        if scene.sky.is_none() {
+            warnings.push(at(path, Some(*line)) + sky::NOT_UNDERSTOOD);
+        }
+    }
     if warnings.len() > MOST_WARNINGS {
         let more = warnings.len() - MOST_WARNINGS;
         warnings.truncate(MOST_WARNINGS);

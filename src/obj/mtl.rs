@@ -1,10 +1,11 @@
 //! Materials: the statements of MTL files checked, read by tobj, and made passive.
 
 use super::lines::{Statement, numbers, shown, statements};
+use super::map::{self, Maps};
 use super::{ObjError, at};
 use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material, MaterialError, Shine};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -27,10 +28,12 @@ pub(super) struct Library {
     warnings: Vec<String>,
 }
 
-/// Reads the MTL files `named` by the OBJ file `obj`, each once.
+/// Reads the MTL files `named` by the OBJ file `obj`, each once, and the textures of the
+/// materials that are `used`.
 pub(super) fn read(
     obj: &Path,
     named: &[(String, usize)],
+    used: &HashSet<&str>,
     open: impl Fn(&Path) -> io::Result<Vec<u8>>,
 ) -> Result<Library, ObjError> {
     let folder = obj.parent().unwrap_or(Path::new(""));
@@ -68,7 +71,7 @@ pub(super) fn read(
             }
         }
     }
-    scan.library(obj)
+    scan.library(obj, used, &open)
 }
 
 /// Checked statements of MTL files.
@@ -114,7 +117,7 @@ impl Scan {
                         )));
                     }
                 },
-                "map_Kd" | "map_Ke" if !rest.is_empty() => rest.into(),
+                "map_Kd" | "map_Ke" => map::file(rest).map_err(failed)?,
                 _ => continue, // other reflection models, and how it is displayed
             };
             if !begun {
@@ -130,22 +133,45 @@ impl Scan {
         Ok(())
     }
 
-    fn library(self, obj: &Path) -> Result<Library, ObjError> {
+    fn library(
+        self,
+        obj: &Path,
+        used: &HashSet<&str>,
+        open: &impl Fn(&Path) -> io::Result<Vec<u8>>,
+    ) -> Result<Library, ObjError> {
         let (raw, index) = tobj::load_mtl_buf(&mut self.text.as_bytes())
             .map_err(|error| ObjError::new(obj, None, error))?;
         let Scan { places, keys, mut warnings, .. } = self;
         let mut materials = Vec::with_capacity(raw.len());
         let mut notes = Vec::new();
+        let mut maps = Maps::new(open);
         for (k, raw) in raw.iter().enumerate() {
             let find = |key: &str| keys[k].get(key).unwrap_or(&places[k]);
-            materials.push(passive(raw).map_err(|(key, message)| {
+            let failed = |(key, message): Note| {
                 let (file, line) = find(key);
                 ObjError::new(file, *line, message)
-            })?);
-            notes.extend(self::notes(raw).into_iter().map(|(key, note)| {
+            };
+            let seen = used.contains(&raw.name[..]);
+            let [diffuse, emission] =
+                [("map_Kd", &raw.diffuse), ("map_Ke", &raw.emissive)].map(
+                    |(key, constant)| {
+                        let texture = texture(raw, key).map(|name| {
+                            // What nobody looks at is not opened.
+                            let folder = find(key).0.parent().unwrap_or(Path::new(""));
+                            if seen { maps.mean(folder, name) } else { Ok(Rgb::ZERO) }
+                        });
+                        let texture = texture.transpose().map_err(|why| {
+                            failed((key, format!("{why} (texture of `{}`)", raw.name)))
+                        });
+                        texture.map(|texture| coloured(*constant, texture))
+                    },
+                );
+            let material = passive(raw, diffuse?, emission?).map_err(failed)?;
+            notes.extend(self::notes(raw, &material).into_iter().map(|(key, note)| {
                 let (file, line) = find(key);
                 (k, format!("{}material `{}` {note}", at(file, Some(*line)), raw.name))
             }));
+            materials.push(material);
             if index[&raw.name] != k {
                 let (file, line) = &places[k];
                 warnings.push(format!(
@@ -218,18 +244,39 @@ fn transmitted(raw: &tobj::Material) -> Rgb {
     values.try_into().map_or(Rgb::ZERO, Rgb::from_array)
 }
 
-/// Makes the material, or says which key forbids it.
-fn passive(raw: &tobj::Material) -> Result<Material, Note> {
-    let coefficients = Coefficients {
-        emission: rgb(raw.emissive),
-        diffuse: rgb(raw.diffuse),
-        translucence: transmitted(raw),
-        shine: shine(raw),
+/// The texture file that `key` names.
+fn texture<'a>(raw: &'a tobj::Material, key: &str) -> Option<&'a str> {
+    let named = match key {
+        "map_Kd" => raw.diffuse_texture.as_ref(),
+        _ => raw.unknown_param.get(key),
     };
+    named.map(|name| &name[..])
+}
+
+/// A constant, 0 where there is none, or that times the mean of a texture, 1 where there
+/// is none.
+fn coloured(constant: Option<[f64; 3]>, texture: Option<Rgb>) -> Rgb {
+    match texture {
+        Some(mean) => constant.map_or(Rgb::ONE, Rgb::from_array) * mean,
+        None => rgb(constant),
+    }
+}
+
+/// Makes the material, or says which key forbids it.
+fn passive(
+    raw: &tobj::Material,
+    diffuse: Rgb,
+    emission: Rgb,
+) -> Result<Material, Note> {
+    let translucence = transmitted(raw);
+    let shine = shine(raw);
+    let coefficients = Coefficients { emission, diffuse, translucence, shine };
     Material::new(&raw.name, coefficients).map_err(|error| {
         let key = match error {
+            MaterialError::Shine { key: "Tf", .. } => tint(raw).0,
             MaterialError::NotANumber { key, .. }
             | MaterialError::Shine { key, .. } => key,
+            MaterialError::Diffuse { .. } if translucence != Rgb::ZERO => "Td",
             MaterialError::Diffuse { .. } => "Kd",
             MaterialError::NotPassive { .. } => "Ks",
         };
@@ -245,8 +292,8 @@ fn shine(raw: &tobj::Material) -> Shine {
     let reflectance = rgb(raw.specular);
     let index = raw.optical_density.unwrap_or(1.5);
     match raw.illumination_model {
-        Some(4 | 9) => Shine::Pane { index, tint: tint(raw) },
-        Some(6 | 7) => Shine::Glass { index, tint: tint(raw) },
+        Some(4 | 9) => Shine::Pane { index, tint: tint(raw).1 },
+        Some(6 | 7) => Shine::Glass { index, tint: tint(raw).1 },
         _ if reflectance == Rgb::ZERO => Shine::Dull,
         Some(3 | 5 | 8) => Shine::Mirror { reflectance },
         _ => {
@@ -256,41 +303,53 @@ fn shine(raw: &tobj::Material) -> Shine {
     }
 }
 
-/// `Tf`; else `d`, else `1 − Tr`, else 1.
-fn tint(raw: &tobj::Material) -> Rgb {
-    let given = |key: &str| numbers(raw.unknown_param.get(key)?).ok();
-    if let Some(&[r, g, b]) = given("Tf").as_deref() {
-        return Rgb::new(r, g, b);
+/// `Tf`; else `d`, else `1 − Tr`, else 1; and which of them it is.
+fn tint(raw: &tobj::Material) -> (&'static str, Rgb) {
+    if let Some(&[r, g, b]) = given(raw, "Tf").as_deref() {
+        return ("Tf", Rgb::new(r, g, b));
     }
-    match (raw.dissolve, given("Tr").as_deref()) {
-        (Some(d), _) => Rgb::splat(d),
-        (None, Some(&[tr])) => Rgb::splat(1.0 - tr),
-        _ => Rgb::ONE,
+    match (raw.dissolve, given(raw, "Tr").as_deref()) {
+        (Some(d), _) => ("d", Rgb::splat(d)),
+        (None, Some(&[tr])) => ("Tr", Rgb::splat(1.0 - tr)),
+        _ => ("Tf", Rgb::ONE),
     }
 }
 
-/// What of the material is read but not carried by this version, or ignored.
-fn notes(raw: &tobj::Material) -> Vec<Note> {
-    let unknown = |key: &str| raw.unknown_param.get(key);
+/// The numbers of a key that tobj hands on as text.
+fn given(raw: &tobj::Material, key: &str) -> Option<Vec<f64>> {
+    numbers(raw.unknown_param.get(key)?).ok()
+}
+
+/// What of the material is ignored although it is given.
+fn notes(raw: &tobj::Material, material: &Material) -> Vec<Note> {
     let mut notes = Vec::new();
-    let mut note = |when: bool, key: &'static str, what: &str| {
+    let mut note = |when: bool, key: &'static str, what: String| {
         if when {
-            notes.push((key, what.to_string()));
+            notes.push((key, what));
         }
     };
     let glass = is_glass(raw);
     let opaque = "is partly transparent but no glass (illum 4, 6, 7 or 9); it is taken as \
                   opaque";
-    note(!glass && raw.dissolve.is_some_and(|d| d != 1.0), "d", opaque);
-    note(!glass && unknown("Tr").is_some_and(|tr| tr != "0"), "Tr", opaque);
-    for (key, map, constant, value) in [
-        ("map_Kd", raw.diffuse_texture.as_ref(), "Kd", rgb(raw.diffuse)),
-        ("map_Ke", unknown("map_Ke"), "Ke", rgb(raw.emissive)),
-    ] {
-        if let Some(map) = map {
-            let (map, value) = (shown(map), tuple(value));
-            let what = format!("has a texture `{map}`, which is not carried yet");
-            notes.push((key, format!("{what}; {constant} {value} stands for it")));
+    note(!glass && raw.dissolve.is_some_and(|d| d != 1.0), "d", opaque.into());
+    let given = |key: &str| given(raw, key).unwrap_or_default();
+    note(!glass && given("Tr").iter().any(|x| *x != 0.0), "Tr", opaque.into());
+    // Exporters write 1 for clear, and 0 for what lets nothing through.
+    let tinted = given("Tf").iter().any(|x| *x != 0.0 && *x != 1.0);
+    note(!glass && tinted, "Tf", opaque.into());
+    let mirrored = rgb(raw.specular);
+    let fresnel = format!(
+        "has Ks {}, which is ignored: glass reflects as Fresnel's law says",
+        tuple(mirrored)
+    );
+    note(glass && mirrored != Rgb::ZERO, "Ks", fresnel);
+    for (key, constant, value) in
+        [("map_Kd", "Kd", material.diffuse()), ("map_Ke", "Ke", material.emission())]
+    {
+        if let Some(map) = texture(raw, key) {
+            let (map, value) = (shown(map), tuple((1e4 * value).round() / 1e4));
+            let what = format!("has a texture `{map}`, of which the mean counts");
+            note(true, key, format!("{what}, not the pattern: {constant} {value}"));
         }
     }
     notes

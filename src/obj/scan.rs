@@ -20,6 +20,8 @@ pub(super) struct Scan {
     pub uses: Vec<(String, usize)>,
     /// The camera, if a comment gives one.
     pub camera: Option<Camera>,
+    /// The sky, if a comment gives one, and the line of it.
+    pub sky: Option<(String, usize)>,
     /// What was ignored.
     pub warnings: Vec<String>,
 }
@@ -45,6 +47,9 @@ const HARMLESS: [&str; 18] = [
     "usemap",
     "end",
 ];
+
+/// How descriptions of skies begin.
+const SKIES: [&str; 4] = ["uniform ", "overcast ", "cie ", "panorama "];
 
 /// Checks every statement of the OBJ file `file`.
 pub(super) fn scan(file: &Path, bytes: &[u8]) -> Result<Scan, ObjError> {
@@ -76,6 +81,12 @@ pub(super) fn scan(file: &Path, bytes: &[u8]) -> Result<Scan, ObjError> {
             }
             "mtllib" => scan.libraries.push((rest.into(), statement.line)),
             _ if statement.is_comment() => {
+                if let Some(sky) = statement.text.strip_prefix("# sky ") {
+                    // Whatever else is said of the sky is no description of one.
+                    if SKIES.iter().any(|kind| sky.starts_with(kind)) {
+                        scan.sky = Some((sky.into(), statement.line));
+                    }
+                }
                 let camera = statement.text.strip_prefix("# camera ");
                 if let Some(camera) = camera.filter(|text| text.starts_with("eye ")) {
                     scan.camera = parse_camera(camera);

@@ -83,8 +83,8 @@ pub struct Scene {
     pub name: String,
     /// All faces as they were given, indexed by [`FaceId`].
     pub faces: Vec<Face>,
-    /// All pieces of all faces, in order of faces, fronts before backs. No two of them that look the same way
-    /// overlap. A face that others cover wholly has none.
+    /// All pieces of all faces, in order of faces, fronts before backs. No two of them that
+    /// look the same way overlap. A face that others cover wholly has none.
     pub surfaces: Vec<Surface>,
     /// All materials, indexed by [`MaterialId`].
     pub materials: Vec<Material>,
@@ -113,6 +113,22 @@ impl Scene {
     /// The surfaces that are fronts of faces.
     pub fn fronts(&self) -> impl Iterator<Item = &Surface> {
         self.surfaces.iter().filter(|s| s.side == Side::Front)
+    }
+
+    /// The fronts of the faces alone, all black and opaque, under no sky: what matters to
+    /// form factors between faces.
+    pub fn bare_geometry(&self) -> Scene {
+        let bare = |front: &Surface| Surface { back: None, ..front.clone() };
+        Scene {
+            surfaces: self.fronts().map(bare).collect(),
+            materials: self
+                .materials
+                .iter()
+                .map(|m| Material::black(m.name()))
+                .collect(),
+            sky: None,
+            ..self.clone()
+        }
     }
 
     /// The box that holds all surfaces.

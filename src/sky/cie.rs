@@ -28,8 +28,8 @@ pub fn cie_coefficients(kind: usize) -> Option<[f64; 5]> {
 /// A general sky, in the sky's own axes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Cie {
-    coefficients: [f64; 5],
-    sun: DVec3,
+    pub coefficients: [f64; 5],
+    pub sun: DVec3,
     /// Radiance at the zenith, and that divided by the two factors there.
     pub zenith: Rgb,
     scale: Rgb,

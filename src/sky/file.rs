@@ -7,6 +7,7 @@ use image::codecs::hdr::{HdrDecoder, HdrEncoder};
 use image::codecs::openexr::OpenExrDecoder;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, ImageResult};
 use std::fmt;
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 /// Why a file is no sky.
@@ -31,8 +32,13 @@ pub enum SkyTrouble {
 
 impl fmt::Display for SkyError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "the sky `{}` ", self.path.display())?;
-        match &self.reason {
+        write!(f, "the sky `{}` {}", self.path.display(), self.reason)
+    }
+}
+
+impl fmt::Display for SkyTrouble {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
             SkyTrouble::File(error) => write!(f, "cannot be read: {error}"),
             SkyTrouble::Picture(None) => {
                 f.write_str("holds no radiance; give a .hdr or .exr picture")
@@ -73,7 +79,28 @@ impl Panorama {
     /// The file is missing, no such picture, broken, too large, or has a texel that is
     /// negative, infinite or no number.
     pub fn read(path: &Path) -> Result<Panorama, SkyError> {
-        read(path).map_err(|reason| SkyError { path: path.to_owned(), reason })
+        let bytes = std::fs::read(path).map_err(SkyTrouble::File);
+        let panorama = bytes.and_then(|bytes| Panorama::decode(&bytes));
+        panorama.map_err(|reason| SkyError { path: path.to_owned(), reason })
+    }
+
+    /// As [`Panorama::read`], of the bytes of such a file.
+    ///
+    /// # Errors
+    /// Those of [`Panorama::read`], but for the missing file.
+    pub fn decode(bytes: &[u8]) -> Result<Panorama, SkyTrouble> {
+        let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format()?;
+        match reader.format() {
+            Some(ImageFormat::Hdr) => {
+                let decoder = HdrDecoder::new(reader.into_inner())?;
+                let exposure = decoder.metadata().exposure.unwrap_or(1.0);
+                decoded(decoder, f64::from(exposure))
+            }
+            Some(ImageFormat::OpenExr) => {
+                decoded(OpenExrDecoder::new(reader.into_inner())?, 1.0)
+            }
+            _ => Err(SkyTrouble::Picture(None)),
+        }
     }
 
     /// The bytes of a Radiance `.hdr` file: a shared exponent, steps of 1 % at worst.
@@ -86,21 +113,6 @@ impl Panorama {
         let pixels: Vec<_> = self.texels().iter().map(pixel).collect();
         HdrEncoder::new(&mut bytes).encode(&pixels, self.width(), self.height())?;
         Ok(bytes)
-    }
-}
-
-fn read(path: &Path) -> Result<Panorama, SkyTrouble> {
-    let reader = ImageReader::open(path)?.with_guessed_format()?;
-    match reader.format() {
-        Some(ImageFormat::Hdr) => {
-            let decoder = HdrDecoder::new(reader.into_inner())?;
-            let exposure = decoder.metadata().exposure.unwrap_or(1.0);
-            decoded(decoder, f64::from(exposure))
-        }
-        Some(ImageFormat::OpenExr) => {
-            decoded(OpenExrDecoder::new(reader.into_inner())?, 1.0)
-        }
-        _ => Err(SkyTrouble::Picture(None)),
     }
 }
 

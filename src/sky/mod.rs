@@ -60,6 +60,26 @@ enum Light {
     Panorama(Arc<Panorama>),
 }
 
+/// What a [`Sky`] was made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind<'a> {
+    /// By [`Sky::uniform`]: the radiance.
+    Uniform(Rgb),
+    /// By [`Sky::overcast`]: the radiance of the zenith.
+    Overcast(Rgb),
+    /// By [`Sky::cie`].
+    Cie {
+        /// Its five coefficients.
+        coefficients: [f64; 5],
+        /// The direction to the sun.
+        sun: DVec3,
+        /// The radiance of the zenith.
+        zenith: Rgb,
+    },
+    /// By [`Sky::panorama`].
+    Panorama(&'a Panorama),
+}
+
 impl Sky {
     /// The same `radiance`, in W/(m² sr), from everywhere above the horizon; `up` has unit
     /// length.
@@ -115,6 +135,20 @@ impl Sky {
     /// The direction away from the ground, of unit length.
     pub fn up(&self) -> DVec3 {
         self.world_from_sky.y_axis
+    }
+
+    /// What it was made of.
+    pub fn kind(&self) -> Kind<'_> {
+        match &self.light {
+            Light::Uniform(radiance) => Kind::Uniform(*radiance),
+            Light::Overcast(zenith) => Kind::Overcast(*zenith),
+            Light::Cie(cie) => Kind::Cie {
+                coefficients: cie.coefficients,
+                sun: self.world_from_sky * cie.sun,
+                zenith: cie.zenith,
+            },
+            Light::Panorama(panorama) => Kind::Panorama(panorama),
+        }
     }
 
     /// Does any light come from it?

@@ -22,7 +22,7 @@
 //! Chapter *Mirrors and windows* (L17, L18). Sources: Whitted 1980; Veach 1997 (radiance
 //! in media).
 
-use crate::geometry::{Frame, Ray, Rgb};
+use crate::geometry::{Frame, Polygon, Ray, Rgb};
 use crate::material::optics::{fresnel, pane, reflect, refract};
 use crate::material::{Lobe, Shine};
 use crate::random::Stream;
@@ -36,6 +36,8 @@ use smallvec::{SmallVec, smallvec};
 pub struct Specular<'s> {
     scene: &'s Scene,
     visibility: Visibility,
+    /// The surface that each piece is part of.
+    surface_of: Vec<u32>,
     shines: bool,
 }
 
@@ -46,6 +48,9 @@ pub enum Met {
     Surface {
         /// Which of [`Scene::surfaces`].
         surface: u32,
+        /// Which of the pieces that rays were told of: the same, unless by
+        /// [`Specular::of_pieces`].
+        piece: u32,
         /// Where.
         point: DVec3,
         /// The front? (A back that reflects or lets light through is a surface of its own.)
@@ -125,14 +130,24 @@ impl Leg {
 impl<'s> Specular<'s> {
     /// Makes a scene ready.
     pub fn of(scene: &'s Scene) -> Specular<'s> {
-        Specular {
-            scene,
-            visibility: Visibility::new(scene.surfaces.iter().map(|s| &s.polygon)),
-            shines: scene.surfaces.iter().any(|s| !scene.material(s).shine().is_dull()),
-        }
+        let polygons = scene.surfaces.iter().map(|s| &s.polygon);
+        Specular::of_pieces(scene, (0..).zip(polygons))
     }
 
-    /// The surfaces of the scene, in order, as rays meet them.
+    /// The same with the surfaces in `pieces`, each with the surface that it is part of: a
+    /// ray then tells which piece it met.
+    pub fn of_pieces<'p>(
+        scene: &'s Scene,
+        pieces: impl Iterator<Item = (u32, &'p Polygon)>,
+    ) -> Specular<'s> {
+        let (surface_of, polygons): (Vec<u32>, Vec<&Polygon>) = pieces.unzip();
+        let visibility = Visibility::new(polygons);
+        let shines =
+            scene.surfaces.iter().any(|s| !scene.material(s).shine().is_dull());
+        Specular { scene, visibility, surface_of, shines }
+    }
+
+    /// The pieces, in order, as rays meet them.
     pub fn visibility(&self) -> &Visibility {
         &self.visibility
     }
@@ -177,8 +192,10 @@ impl<'s> Specular<'s> {
             return None;
         };
         let point = leg.ray.origin + hit.distance * leg.ray.direction;
-        let surface = &self.scene.surfaces[hit.item as usize];
-        arrive(Met::Surface { surface: hit.item, point, front: hit.front });
+        let (piece, front) = (hit.item, hit.front);
+        let surface = self.surface_of[piece as usize];
+        arrive(Met::Surface { surface, piece, point, front });
+        let surface = &self.scene.surfaces[surface as usize];
         let shine = self.scene.material(surface).shine();
         if shine.is_dull() || !(hit.front || shine.passes()) {
             return None;
@@ -199,7 +216,8 @@ impl<'s> Specular<'s> {
         carries: Carries,
         random: &mut Stream,
     ) -> SmallVec<[Leg; 2]> {
-        let surface = &self.scene.surfaces[hit.item as usize];
+        let surface = self.surface_of[hit.item as usize] as usize;
+        let surface = &self.scene.surfaces[surface];
         let material = self.scene.material(surface);
         let outer = surface.polygon.normal();
         let normal = if hit.front { outer } else { -outer };

@@ -42,6 +42,10 @@ pub struct Sight {
     pub whole: Vec<u32>,
     /// The elements of all others, with their moments.
     pub elements: Vec<(u32, Moments)>,
+    /// Where rays go on: unit directions, and what each cell counts.
+    pub onwards: Vec<(DVec3, f64)>,
+    /// Where the sky is seen.
+    pub sky: Vec<(DVec3, f64)>,
     /// The shares that reach no front.
     pub lost: Lost,
 }
@@ -59,6 +63,19 @@ pub struct Linear<'m> {
     of_patches: Vec<Chart>,
     of_elements: Vec<Chart>,
     diameters: Vec<f64>,
+    /// Where rays go on, by patch.
+    onwards: Onwards,
+}
+
+/// What of a hemicube is not at its end where it is drawn.
+#[derive(Clone, Debug, Default)]
+pub struct Onwards {
+    /// Patches whose fronts shine: they are drawn, and their cells told.
+    pub fronts: Vec<bool>,
+    /// Patches that light goes through from behind.
+    pub backs: Vec<bool>,
+    /// Is there light where nothing is?
+    pub sky: bool,
 }
 
 impl<'m> Linear<'m> {
@@ -78,6 +95,27 @@ impl<'m> Linear<'m> {
             of_patches: patches.polygons().map(Chart::of).collect(),
             of_elements: elements.polygons().map(Chart::of).collect(),
             diameters: patches.polygons().map(Polygon::diameter).collect(),
+            onwards: Onwards::default(),
+        }
+    }
+
+    /// The same, telling where rays go on ([`Sight::onwards`]).
+    pub fn telling(self, onwards: Onwards) -> Linear<'m> {
+        Linear { onwards, ..self }
+    }
+
+    /// Does the ray through a cell that shows this go on?
+    fn goes_on(&self, seen: Seen) -> bool {
+        let patch =
+            |id: u32| match (id as usize).checked_sub(self.patches.elements.len()) {
+                None => id as usize,
+                Some(e) => self.elements.elements[e].patch.0 as usize,
+            };
+        let marked = |of: &[bool], id| of.get(patch(id)).is_some_and(|&m| m);
+        match seen {
+            Seen::Nothing => self.onwards.sky,
+            Seen::Front(id) => marked(&self.onwards.fronts, id),
+            Seen::Back(id) => marked(&self.onwards.backs, id),
         }
     }
 
@@ -103,6 +141,7 @@ impl<'m> Linear<'m> {
         }
         let mut of_patches = vec![[0.0; 4]; patches];
         let mut of_elements: Vec<(u32, Moments)> = Vec::new();
+        let (mut onwards, mut sky) = (Vec::new(), Vec::new());
         let mut lost = Lost::default();
         let frame = Frame::about(normal);
         self.painter.with_buffer(|buffer| {
@@ -113,8 +152,21 @@ impl<'m> Linear<'m> {
                 ids.iter().for_each(|&(id, polygon)| buffer.draw(&view, polygon, id));
                 let weights = self.weights.of(face);
                 for (seen, first, end) in buffer.runs() {
+                    let goes_on = self.goes_on(seen);
+                    if goes_on {
+                        let into = match seen {
+                            Seen::Nothing => &mut sky,
+                            _ => &mut onwards,
+                        };
+                        into.extend((first..end).map(|cell| {
+                            let (x, y) = (cell as u32 % width, cell as u32 / width);
+                            let at = View::pixel_centre(x, y, width, height);
+                            (view.direction(at).normalize(), weights[cell])
+                        }));
+                    }
                     let share = || weights[first..end].iter().sum::<f64>();
                     let id = match seen {
+                        Seen::Nothing | Seen::Back(_) if goes_on => continue,
                         Seen::Nothing => {
                             lost.escaped += share();
                             continue;
@@ -163,13 +215,19 @@ impl<'m> Linear<'m> {
             |k: usize| self.elements.patches[k].elements.len() <= 1 || !near(k);
         let whole = (0u32..).zip(&seen).filter(|(_, (k, _))| is_whole(*k as usize));
         let whole = whole.map(|(place, _)| place).collect();
-        Sight { patches: seen, whole, elements: of_elements, lost }
+        Sight { patches: seen, whole, elements: of_elements, onwards, sky, lost }
     }
 
     /// The light of patch `k` that has these values at its corners.
     pub fn of_patch(&self, k: usize, of_vertices: &[Rgb]) -> Slopes {
         let corners = &self.patches.elements[k].corners;
         self.of_patches[k].slopes(corners.iter().map(|c| of_vertices[c.0 as usize]))
+    }
+
+    /// The moments of a ray that meets patch `k` at `p`.
+    pub fn moments_at(&self, k: usize, p: DVec3) -> Moments {
+        let (s, t) = self.of_patches[k].place(p);
+        [1.0, s, t, s * t]
     }
 
     /// The light of element `k` that has these values at its corners.
@@ -200,6 +258,11 @@ struct Chart {
 }
 
 impl Chart {
+    fn place(&self, p: DVec3) -> (f64, f64) {
+        let from_middle = p - self.middle;
+        (self.along.dot(from_middle), self.across.dot(from_middle))
+    }
+
     fn of(polygon: &Polygon) -> Chart {
         let (v, n, middle) = (polygon.vertices(), polygon.normal(), polygon.centroid());
         let u = 0.5 * (v[1] - v[0]);

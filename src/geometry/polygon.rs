@@ -235,6 +235,14 @@ impl Polygon {
         })
     }
 
+    /// How far the point `p` of the polygon's plane lies outside; 0 inside.
+    pub fn distance_outside(&self, p: DVec3) -> f64 {
+        let beyond = |(a, b): (DVec3, DVec3)| {
+            (b - a).cross(self.normal).normalize_or_zero().dot(p - a)
+        };
+        self.edges().map(beyond).fold(0.0, f64::max)
+    }
+
     /// The point at `(u, v)` of the unit square; uniform points give points uniform in area.
     pub fn point_at(&self, [u, v]: [f64; 2]) -> DVec3 {
         let a = self.vertices[0];

@@ -193,10 +193,15 @@ impl Material {
         self.coefficients.shine
     }
 
+    /// What it scatters diffusely to either side, `ρ + τ`, in `[0, 1)`.
+    pub fn scattered(&self) -> Rgb {
+        self.diffuse() + self.translucence()
+    }
+
     /// Of the light that meets it, the share that Fresnel's law has for reflection and
     /// refraction: what neither `Kd` nor `Td` takes. In `(0, 1]`.
     pub fn smooth_share(&self) -> Rgb {
-        Rgb::ONE - self.diffuse() - self.translucence()
+        Rgb::ONE - self.scattered()
     }
 
     /// The material of the other side of a face: the same but for light of its own and,

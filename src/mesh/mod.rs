@@ -25,6 +25,7 @@
 //! (substructuring); Baum, Mann, Smith & Winget 1991 (contact lines, balance, anchors).
 
 mod anchor;
+mod backs;
 mod build;
 mod contact;
 mod grid;
@@ -32,6 +33,7 @@ mod interpolate;
 mod place;
 mod split;
 
+pub use backs::Backs;
 pub use interpolate::wachspress;
 pub use place::Place;
 pub use split::quarters;

@@ -1,8 +1,7 @@
 //! Pass 1 as it is asked for by an error: resolve, certify, and finer until it suffices.
 
 use super::{
-    Certificate, Enclosure, Progress, Resolution, Sampling, Smooth, Solution, certify,
-    smooth,
+    Certificate, Progress, Resolution, Sampling, Smooth, Solution, certify, smooth,
 };
 use crate::geometry::Rgb;
 use crate::mesh::ElementId;
@@ -121,11 +120,10 @@ fn certified(
     ask: &Ask,
     progress: Progress,
 ) -> Certificate {
-    let enclosure = Enclosure::of(scene, &light.mesh);
     let field = |id: ElementId, x: DVec3| {
-        let k = id.0 as usize;
-        let h = light.mesh.value_at(light.mesh.element(id), x, &light.irradiance);
-        enclosure.emission[k] + enclosure.reflectance[k] * h
+        let element = light.mesh.element(id);
+        let h = [&light.irradiance, &light.behind];
+        light.radiosity(scene, element, h.map(|h| light.mesh.value_at(element, x, h)))
     };
     let with_rays = |rays: usize| {
         let sampling = Sampling { seed: ask.seed, rays, points: POINTS };
@@ -147,19 +145,22 @@ fn solution(
     certificate: Certificate,
     converged: bool,
 ) -> Solution {
-    let Smooth { mesh, patches, irradiance: of_vertices, .. } = light;
-    let Enclosure { emission, reflectance, .. } = Enclosure::of(scene, &mesh);
+    let mesh = &light.mesh;
+    let (front, behind) = (&light.irradiance, &light.behind);
     let mut vertex_radiosity = vec![Rgb::ZERO; mesh.vertices.len()];
-    for (k, element) in mesh.elements.iter().enumerate() {
+    for element in &mesh.elements {
         for corner in element.corners.iter().map(|c| c.0 as usize) {
-            vertex_radiosity[corner] =
-                emission[k] + reflectance[k] * of_vertices[corner];
+            let h = [front[corner], behind[corner]];
+            vertex_radiosity[corner] = light.radiosity(scene, element, h);
         }
     }
-    let irradiance = mesh.element_means(&of_vertices);
-    let radiosity: Vec<Rgb> = (0..irradiance.len())
-        .map(|k| emission[k] + reflectance[k] * irradiance[k])
-        .collect();
+    let irradiance = mesh.element_means(front);
+    let through = mesh.element_means(behind);
+    let of_element =
+        |(k, element)| light.radiosity(scene, element, [irradiance[k], through[k]]);
+    let radiosity: Vec<Rgb> =
+        mesh.elements.iter().enumerate().map(of_element).collect();
+    let Smooth { mesh, patches, ledger, solver_residual, rounds, .. } = light;
     Solution {
         patches,
         displayed: radiosity.clone(),
@@ -167,9 +168,9 @@ fn solution(
         irradiance,
         vertex_radiosity,
         mesh,
-        ledger: light.ledger,
-        solver_residual: light.solver_residual,
-        steps: light.rounds,
+        ledger,
+        solver_residual,
+        steps: rounds,
         certificate,
         converged,
     }

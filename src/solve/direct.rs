@@ -10,6 +10,7 @@
 use crate::form_factor::{Blocker, Blockers, lambert_visible};
 use crate::geometry::{Polygon, Rgb};
 use crate::scene::Scene;
+use crate::specular::Chain;
 use glam::DVec3;
 
 /// Scenes with more emitting surfaces than this have no light summed exactly.
@@ -32,6 +33,16 @@ impl<'a> Direct<'a> {
             emitters.clear();
         }
         Direct { emitters, blockers: Blockers::of(scene) }
+    }
+
+    /// Is light of lamps summed that comes this way?
+    pub fn sums(&self, chain: &Chain) -> bool {
+        self.sums_emitters() && *chain == Chain::default()
+    }
+
+    /// Is light of the sky summed that comes this way?
+    pub fn sums_sky(&self, _: &Chain) -> bool {
+        false
     }
 
     /// Is there an emitter whose light is summed here?

@@ -71,4 +71,9 @@ impl LostPower {
         self.escaped += power * lost.escaped;
         self.absorbed += power * lost.absorbed;
     }
+
+    /// Is there any?
+    pub fn any(&self) -> bool {
+        *self != LostPower::default()
+    }
 }

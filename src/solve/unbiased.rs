@@ -11,14 +11,16 @@
 //!
 //! Sources: Kajiya 1986; Ward, Rubinstein & Clear 1988 (gathering backwards).
 
-use super::Direct;
+use super::{Direct, OnPiece};
 use crate::form_factor::ray_from;
 use crate::geometry::{Frame, Rgb};
 use crate::mesh::Mesh;
 use crate::random::Stream;
 use crate::scene::Scene;
-use crate::visibility::Visibility;
+use crate::specular::{Arrival, Branching, Carries, Met, Specular};
+use glam::DVec3;
 use rayon::prelude::*;
+use std::f64::consts::PI;
 
 /// The mean irradiance of an element, by walks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +34,8 @@ pub struct Gathered {
 /// The mean irradiance of each element of `mesh`, by so many `walks` (two at least) each.
 ///
 /// # Accuracy
-/// Unbiased; the standard error is told, and falls as one over the root of the walks.
+/// Unbiased, mirrors, glass and the sky included; the standard error is told, and falls as
+/// one over the root of the walks.
 pub fn gather_unbiased(
     scene: &Scene,
     mesh: &Mesh,
@@ -40,44 +43,17 @@ pub fn gather_unbiased(
     seed: u64,
 ) -> Vec<Gathered> {
     let direct = Direct::of(scene);
-    let surfaces = Visibility::new(scene.surfaces.iter().map(|s| &s.polygon));
-    let on: Vec<_> = scene.surfaces.iter().map(|s| direct.on(&s.polygon)).collect();
-    let gathered = !direct.sums_emitters();
-    // ANCHOR: walk
-    let walk = |k: usize, random: &mut Stream| {
-        let mut surface = mesh.surface_of(&mesh.elements[k]) as usize;
-        let mut x = mesh.elements[k].polygon.point_at([random.next(), random.next()]);
-        let mut share = Rgb::ONE;
-        let mut sum = on[surface].irradiance(x);
-        loop {
-            let polygon = &scene.surfaces[surface].polygon;
-            let [c, d] = [random.next(), random.next()];
-            let frame = Frame::about(polygon.normal());
-            let mut ray = ray_from(polygon, &frame, [0.0, 0.0, c, d]);
-            ray.origin = x;
-            let hit = surfaces.closest(&ray, Some(surface as u32));
-            let Some(hit) = hit.filter(|hit| hit.front) else { return sum };
-            surface = hit.item as usize;
-            let material = scene.material(&scene.surfaces[surface]);
-            if gathered {
-                sum += share * material.emission();
-            }
-            share *= material.diffuse();
-            let goes_on = share.max_element().min(1.0);
-            if random.next() >= goes_on {
-                return sum;
-            }
-            share /= goes_on;
-            x = ray.origin + hit.distance * ray.direction;
-            sum += share * on[surface].irradiance(x);
-        }
-    };
-    // ANCHOR_END: walk
+    let on = scene.surfaces.iter().map(|s| direct.on(&s.polygon)).collect();
+    let rays = Specular::of(scene);
+    let walker = Walker { scene, direct: &direct, on, rays };
     let of_element = |k: usize| {
         let mut random = Stream::named(seed, &[k as u64]);
+        let surface = mesh.surface_of(&mesh.elements[k]);
         let (mut sum, mut squares) = (Rgb::ZERO, Rgb::ZERO);
         for _ in 0..walks {
-            let h = walk(k, &mut random);
+            let place = [random.next(), random.next()];
+            let x = mesh.elements[k].polygon.point_at(place);
+            let h = walker.walk(surface, x, &mut random);
             sum += h;
             squares += h * h;
         }
@@ -87,4 +63,78 @@ pub fn gather_unbiased(
         Gathered { irradiance: mean, error: variance.map(f64::sqrt) }
     };
     (0..mesh.elements.len()).into_par_iter().map(of_element).collect()
+}
+
+/// A scene, ready for walks.
+struct Walker<'s> {
+    scene: &'s Scene,
+    direct: &'s Direct<'s>,
+    on: Vec<OnPiece<'s>>,
+    rays: Specular<'s>,
+}
+
+impl Walker<'_> {
+    /// What arrives at `x` on `surface`, W/m², by one walk.
+    fn walk(&self, mut surface: u32, mut x: DVec3, random: &mut Stream) -> Rgb {
+        let mut share = Rgb::ONE;
+        let mut sum = Rgb::ZERO;
+        loop {
+            // ANCHOR: walk
+            sum += share * self.on[surface as usize].irradiance(x);
+            let (light, places) = self.step(surface, x, random);
+            sum += share * light;
+            let worth = |p: &(u32, DVec3, Rgb)| (share * p.2).max_element();
+            let all: f64 = places.iter().map(worth).sum();
+            let goes_on = all.min(1.0);
+            let mut chance = random.next() / goes_on * all;
+            let next = places.into_iter().find(|place| {
+                chance -= worth(place);
+                chance < 0.0
+            });
+            let Some(next) = next else { return sum };
+            share *= next.2 * (all / worth(&next) / goes_on);
+            (surface, x) = (next.0, next.1);
+            // ANCHOR_END: walk
+        }
+    }
+
+    /// One ray from `x`: the light that it finds, W/m², but for what is summed as direct;
+    /// and the sides where light may have come from, each with its share.
+    fn step(
+        &self,
+        surface: u32,
+        x: DVec3,
+        random: &mut Stream,
+    ) -> (Rgb, Vec<(u32, DVec3, Rgb)>) {
+        let polygon = &self.scene.surfaces[surface as usize].polygon;
+        let frame = Frame::about(polygon.normal());
+        let mut ray =
+            ray_from(polygon, &frame, [0.0, 0.0, random.next(), random.next()]);
+        ray.origin = x;
+        let (mut light, mut places) = (Rgb::ZERO, Vec::new());
+        let how = (Branching::One, Carries::Radiance);
+        self.rays.follow((ray, Some(surface)), how, random, &mut |arrival| {
+            let Arrival { met, weight, chain } = arrival;
+            match *met {
+                Met::Surface { surface, point, front: true, .. } => {
+                    let side = &self.scene.surfaces[surface as usize];
+                    let material = self.scene.material(side);
+                    if !self.direct.sums(chain) {
+                        light += weight * material.emission();
+                    }
+                    places.push((surface, point, weight * material.diffuse()));
+                    if let Some(back) = side.back {
+                        places.push((back, point, weight * material.translucence()));
+                    }
+                }
+                Met::Sky(direction) if !self.direct.sums_sky(chain) => {
+                    let sky =
+                        self.scene.sky.as_ref().map(|sky| sky.radiance(direction));
+                    light += weight * PI * sky.unwrap_or_default();
+                }
+                _ => {}
+            }
+        });
+        (light, places)
+    }
 }

@@ -1,62 +1,72 @@
 //! Gathers light at points, independently of any form factor.
 
-use super::strata::{NONE, Strata};
+use super::strata::{NONE, Piece, Strata};
 use super::{Field, Sampling};
 use crate::form_factor::ray_from;
 use crate::geometry::{Frame, Polygon, Rgb};
-use crate::mesh::ElementId;
+use crate::material::Material;
+use crate::mesh::{ElementId, Mesh};
 use crate::random::Stream;
 use crate::scene::Scene;
-use crate::solve::{Direct, Enclosure};
-use crate::visibility::Visibility;
+use crate::solve::Direct;
+use crate::specular::{Arrival, Branching, Carries, Met, Specular};
 use glam::DVec3;
 use rayon::prelude::*;
+use std::f64::consts::PI;
 
 /// What is known at one point.
 pub(super) struct Point {
     pub stratum: u32,
     pub element: u32,
-    pub reflectance: Rgb,
     /// `r` by each of the two gathers.
     pub residual: [Rgb; 2],
     /// `B − E`.
     pub reflected: Rgb,
-    /// For each ray of each gather: the stratum that it meets, or [`NONE`].
-    pub met: [Vec<u32>; 2],
+    /// Of each gather: the strata that rays met, and what `B` there counts here.
+    pub met: [Vec<(u32, Rgb)>; 2],
 }
 
 impl Point {
     // ANCHOR: arriving
     /// `ρ H`, as gather `set` has it, of what is `of_strata`.
     pub fn arriving(&self, set: usize, of_strata: &[Rgb]) -> Rgb {
-        let met = self.met[set].iter().filter(|&&h| h != NONE);
-        let sum: Rgb = met.map(|&h| of_strata[h as usize]).sum();
-        self.reflectance * sum / self.met[set].len() as f64
+        self.met[set].iter().map(|&(h, share)| share * of_strata[h as usize]).sum()
     }
     // ANCHOR_END: arriving
 }
 
 /// The scene, ready for gathers.
 pub(super) struct Gathering<'a> {
-    enclosure: &'a Enclosure,
+    scene: &'a Scene,
+    mesh: &'a Mesh,
     strata: &'a Strata,
     field: Field<'a>,
     sampling: Sampling,
-    pieces: Visibility,
+    rays: Specular<'a>,
     direct: Direct<'a>,
+}
+
+/// What one gather finds.
+#[derive(Default)]
+struct Found {
+    /// `ρ H`, W/m².
+    light: Rgb,
+    met: Vec<(u32, Rgb)>,
 }
 
 impl<'a> Gathering<'a> {
     pub fn new(
         scene: &'a Scene,
-        enclosure: &'a Enclosure,
+        mesh: &'a Mesh,
         strata: &'a Strata,
         field: Field<'a>,
         sampling: Sampling,
     ) -> Gathering<'a> {
-        let pieces = Visibility::new(strata.pieces.iter().map(|p| &p.polygon));
+        let surface = |p: &Piece| mesh.surface_of(&mesh.elements[p.element as usize]);
+        let pieces = strata.pieces.iter().map(|p| (surface(p), &p.polygon));
+        let rays = Specular::of_pieces(scene, pieces);
         let direct = Direct::of(scene);
-        Gathering { enclosure, strata, field, sampling, pieces, direct }
+        Gathering { scene, mesh, strata, field, sampling, rays, direct }
     }
 
     /// The points of all strata, in order.
@@ -71,62 +81,95 @@ impl<'a> Gathering<'a> {
         places.enumerate().map(|(k, place)| self.point(h, k, place)).collect()
     }
 
+    fn material(&self, piece: u32) -> &Material {
+        let element = self.strata.pieces[piece as usize].element;
+        let patch = self.mesh.patch_of(&self.mesh.elements[element as usize]);
+        &self.scene.materials[patch.material.0 as usize]
+    }
+
     fn point(&self, h: usize, k: usize, place: [f64; 2]) -> Point {
-        let (piece, x) = self.strata.point_at(h, place);
-        let element = piece.element as usize;
-        let (e, rho) =
-            (self.enclosure.emission[element], self.enclosure.reflectance[element]);
-        let direct = self.direct.on(&piece.polygon).irradiance(x);
+        let (which, x) = self.strata.point_at(h, place);
+        let piece = &self.strata.pieces[which as usize];
+        let material = self.material(which);
+        let (front, rho) = (&piece.polygon, material.diffuse());
+        // A sheet that lets light through diffusely gathers on both its sides.
+        let behind = Some((front.flipped(), material.translucence()));
+        let behind = behind.filter(|(_, tau)| *tau != Rgb::ZERO);
+        let mut direct = rho * self.direct.on(front).irradiance(x);
+        if let Some((back, tau)) = &behind {
+            direct += *tau * self.direct.on(back).irradiance(x);
+        }
+        let e = material.emission();
         let b = (self.field)(ElementId(piece.element), x);
         // ANCHOR: residual
         let gather = |set: u64| {
             let name = [h as u64, k as u64, set];
-            self.indirect(&piece.polygon, x, Stream::named(self.sampling.seed, &name))
+            let mut random = Stream::named(self.sampling.seed, &name);
+            let mut found = Found::default();
+            self.indirect(front, x, rho, &mut random, &mut found);
+            if let Some((back, tau)) = &behind {
+                self.indirect(back, x, *tau, &mut random, &mut found);
+            }
+            found
         };
-        let [(first, met_first), (second, met_second)] = [gather(1), gather(2)];
-        let residual = |indirect: Rgb| e + rho * (direct + indirect) - b;
+        let [first, second] = [gather(1), gather(2)];
+        let residual = |found: &Found| e + direct + found.light - b;
         // ANCHOR_END: residual
         Point {
             stratum: h as u32,
             element: piece.element,
-            reflectance: rho,
-            residual: [residual(first), residual(second)],
+            residual: [residual(&first), residual(&second)],
             reflected: b - e,
-            met: [met_first, met_second],
+            met: [first.met, second.met],
         }
     }
 
-    /// Light that arrives at `x`, but for what is summed as direct; and from which strata.
+    /// Light that arrives at `x` on this side, times `rho`, but for what is summed as
+    /// direct; and from which strata.
     fn indirect(
         &self,
         from: &Polygon,
         x: DVec3,
-        mut random: Stream,
-    ) -> (Rgb, Vec<u32>) {
+        rho: Rgb,
+        random: &mut Stream,
+        found: &mut Found,
+    ) {
         let frame = Frame::about(from.normal());
-        let mut sum = Rgb::ZERO;
-        let mut met = Vec::with_capacity(self.sampling.rays);
-        for [c, d] in random.points(self.sampling.rays) {
+        let share = rho / self.sampling.rays as f64;
+        let directions: Vec<[f64; 2]> = random.points(self.sampling.rays).collect();
+        for [c, d] in directions {
             let mut ray = ray_from(from, &frame, [0.0, 0.0, c, d]);
             ray.origin = x;
-            let hit = self.pieces.closest(&ray, None).filter(|hit| hit.front);
-            met.push(hit.map_or(NONE, |hit| self.strata.of_piece[hit.item as usize]));
-            if let Some(hit) = hit {
-                let y = ray.origin + hit.distance * ray.direction;
-                sum += self.leaving(hit.item as usize, y);
-            }
+            let how = (Branching::One, Carries::Radiance);
+            self.rays.follow((ray, None), how, random, &mut |arrival| {
+                self.arrive(arrival, share, found);
+            });
         }
-        (sum / self.sampling.rays as f64, met)
     }
 
-    /// What leaves piece `at` at `y`, but for what is summed as direct.
-    fn leaving(&self, at: usize, y: DVec3) -> Rgb {
-        let element = self.strata.pieces[at].element;
-        let emission = self.enclosure.emission[element as usize];
-        let summed = if self.direct.sums_emitters() { emission } else { Rgb::ZERO };
-        // Of a black surface the truth is known.
-        let black = self.strata.of_piece[at] == NONE;
-        let light = if black { emission } else { (self.field)(ElementId(element), y) };
-        light - summed
+    /// Adds what leaves where a ray has arrived, but for what is summed as direct.
+    fn arrive(&self, arrival: &Arrival, share: Rgb, found: &mut Found) {
+        let Arrival { met, weight, chain } = arrival;
+        let share = share * weight;
+        match *met {
+            Met::Surface { piece, point, front: true, .. } => {
+                let emission = self.material(piece).emission();
+                let summed = if self.direct.sums(chain) { emission } else { Rgb::ZERO };
+                // Of a black surface the truth is known.
+                let h = self.strata.of_piece[piece as usize];
+                let element = ElementId(self.strata.pieces[piece as usize].element);
+                let light =
+                    if h == NONE { emission } else { (self.field)(element, point) };
+                found.light += share * (light - summed);
+                if h != NONE {
+                    found.met.push((h, share));
+                }
+            }
+            Met::Sky(direction) if !self.direct.sums_sky(chain) => {
+                let sky = self.scene.sky.as_ref().map(|sky| sky.radiance(direction));
+                found.light += share * PI * sky.unwrap_or_default();
+            }
+            _ => {}
+        }
     }
 }

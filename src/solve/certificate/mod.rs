@@ -27,9 +27,8 @@ mod interval;
 mod propagate;
 mod strata;
 
-use super::Enclosure;
 use crate::geometry::Rgb;
-use crate::mesh::{ElementId, Mesh};
+use crate::mesh::{Element, ElementId, Mesh};
 use crate::scene::Scene;
 use gathering::{Gathering, Point};
 use glam::DVec3;
@@ -104,10 +103,12 @@ pub fn certify(
 /// what no point falls on is not known. What single elements are said to be off by is
 /// noisy: each has but a few points.
 pub fn audit(scene: &Scene, mesh: &Mesh, field: Field, sampling: Sampling) -> Audit {
-    let enclosure = Enclosure::of(scene, mesh);
-    let strata = Strata::of(mesh, &enclosure, sampling.points);
-    let points = Gathering::new(scene, &enclosure, &strata, field, sampling).all();
-    let exchange = Exchange::of(&strata, &enclosure, &points);
+    let material = |e: &Element| &scene.materials[mesh.patch_of(e).material.0 as usize];
+    let scattered: Vec<Rgb> =
+        mesh.elements.iter().map(|e| material(e).scattered()).collect();
+    let strata = Strata::of(mesh, &scattered, sampling.points);
+    let points = Gathering::new(scene, mesh, &strata, field, sampling).all();
+    let exchange = Exchange::of(&strata, &scattered, &points);
     let means = exchange.errors(&points, sampling.seed);
     // ANCHOR: products
     let pairs = |of: &dyn Fn(&Point, usize) -> Rgb| -> Vec<Rgb> {

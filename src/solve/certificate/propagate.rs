@@ -1,10 +1,9 @@
 //! From residuals to errors: `ē = r̄ + K ē`, per stratum.
 
 use super::gathering::Point;
-use super::strata::{NONE, Strata};
+use super::strata::Strata;
 use crate::geometry::Rgb;
 use crate::random::Stream;
-use crate::solve::Enclosure;
 
 /// Sweeps at the most.
 const MOST_SWEEPS: usize = 200;
@@ -17,8 +16,9 @@ const REDRAWN: u64 = 8;
 
 /// Which strata light which: `K`, as the rays of all points saw it.
 pub(super) struct Exchange {
-    /// Per stratum: other strata and the share of its irradiance due to each.
-    rows: Vec<Vec<(u32, f64)>>,
+    /// Per stratum: other strata and what `B` there counts here.
+    rows: Vec<Vec<(u32, Rgb)>>,
+    /// `ρ + τ`.
     reflectance: Vec<Rgb>,
     area: Vec<f64>,
 }
@@ -38,21 +38,20 @@ pub(super) struct Means {
 }
 
 impl Exchange {
-    pub fn of(strata: &Strata, enclosure: &Enclosure, points: &[Point]) -> Exchange {
-        let mut row = vec![0.0; strata.len()];
+    /// `scattered` is `ρ + τ` per element.
+    pub fn of(strata: &Strata, scattered: &[Rgb], points: &[Point]) -> Exchange {
+        let mut row = vec![Rgb::ZERO; strata.len()];
         let mut rows = Vec::with_capacity(strata.len());
         for group in points.chunk_by(|a, b| a.stratum == b.stratum) {
-            let sets = || group.iter().flat_map(|p| &p.met);
-            let rays: usize = sets().map(Vec::len).sum();
-            let met = sets().flatten().filter(|&&h| h != NONE);
-            met.for_each(|&h| row[h as usize] += 1.0 / rays as f64);
-            let lit_by = row.iter().enumerate().filter(|(_, w)| **w > 0.0);
+            let gathers = 2.0 * group.len() as f64;
+            let met = group.iter().flat_map(|p| &p.met).flatten();
+            met.for_each(|&(h, share)| row[h as usize] += share / gathers);
+            let lit_by = row.iter().enumerate().filter(|(_, w)| **w != Rgb::ZERO);
             rows.push(lit_by.map(|(h, &w)| (h as u32, w)).collect());
-            row.fill(0.0);
+            row.fill(Rgb::ZERO);
         }
         let element = |h: usize| strata.pieces[strata.members[h].start].element;
-        let reflectance =
-            (0..strata.len()).map(|h| enclosure.reflectance[element(h) as usize]);
+        let reflectance = (0..strata.len()).map(|h| scattered[element(h) as usize]);
         Exchange { rows, reflectance: reflectance.collect(), area: strata.area.clone() }
     }
 
@@ -114,8 +113,7 @@ impl Exchange {
 
     /// `ρ H` on stratum `h` of what leaves all.
     fn arriving(&self, h: usize, leaving: &[Rgb]) -> Rgb {
-        let sent = self.rows[h].iter().map(|&(j, w)| w * leaving[j as usize]);
-        self.reflectance[h] * sent.sum::<Rgb>()
+        self.rows[h].iter().map(|&(j, w)| w * leaving[j as usize]).sum()
     }
 
     fn power(&self, of: impl Fn(usize) -> Rgb) -> Rgb {

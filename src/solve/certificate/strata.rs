@@ -1,6 +1,5 @@
 //! Pieces of about the same area, so that points fall on all of a scene.
 
-use super::Enclosure;
 use crate::geometry::{Polygon, Rgb};
 use crate::mesh::Mesh;
 use glam::DVec3;
@@ -42,16 +41,17 @@ pub(super) struct Strata {
 }
 
 impl Strata {
-    /// Strata for about so many points in all.
-    pub fn of(mesh: &Mesh, enclosure: &Enclosure, points: usize) -> Strata {
-        let reflects = |k: usize| enclosure.reflectance[k] != Rgb::ZERO;
-        let lit: Vec<usize> = (0..enclosure.len()).filter(|&k| reflects(k)).collect();
-        let area: f64 = lit.iter().map(|&k| enclosure.area[k]).sum();
+    /// Strata for about so many points in all; `scattered` is `ρ + τ` per element.
+    pub fn of(mesh: &Mesh, scattered: &[Rgb], points: usize) -> Strata {
+        let reflects = |k: usize| scattered[k] != Rgb::ZERO;
+        let area_of = |k: usize| mesh.elements[k].polygon.area();
+        let lit: Vec<usize> =
+            (0..mesh.elements.len()).filter(|&k| reflects(k)).collect();
+        let area: f64 = lit.iter().map(|&k| area_of(k)).sum();
         let strata = (points / POINTS_EACH).max(4) as f64;
         // Of an element, how many strata it is worth.
-        let worth = |k: usize| {
-            0.5 * strata * (enclosure.area[k] / area + 1.0 / lit.len() as f64)
-        };
+        let worth =
+            |k: usize| 0.5 * strata * (area_of(k) / area + 1.0 / lit.len() as f64);
         let (mut pieces, mut of_piece) = (Vec::new(), Vec::new());
         let mut members: Vec<Range<usize>> = Vec::new();
         let mut worths: Vec<f64> = Vec::new();
@@ -105,14 +105,15 @@ impl Strata {
 
     /// The piece and the point of stratum `h` at `(u, v)` of the unit square: uniform
     /// points give points uniform in area.
-    pub fn point_at(&self, h: usize, [u, v]: [f64; 2]) -> (&Piece, DVec3) {
+    pub fn point_at(&self, h: usize, [u, v]: [f64; 2]) -> (u32, DVec3) {
         let mut rest = u * self.area[h];
-        let members = &self.pieces[self.members[h].clone()];
-        for (k, piece) in members.iter().enumerate() {
-            let area = piece.polygon.area();
-            if rest < area || k + 1 == members.len() {
+        let members = self.members[h].clone();
+        for k in members.clone() {
+            let polygon = &self.pieces[k].polygon;
+            let area = polygon.area();
+            if rest < area || k + 1 == members.end {
                 let u = (rest / area).clamp(0.0, 1.0);
-                return (piece, piece.polygon.point_at([u, v]));
+                return (k as u32, polygon.point_at([u, v]));
             }
             rest -= area;
         }

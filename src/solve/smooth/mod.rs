@@ -11,8 +11,9 @@
 //! 1. Patches of even size; the direct light on them, on elements split where it is not
 //!    linear ([`Refinement`]), gives their means.
 //! 2. At every corner of a patch a hemicube tells what it sees of all patches and where
-//!    ([`Linear`](crate::form_factor::linear::Linear)): `O(m)` hemicubes instead of `O(n)`. These rows make the linear system;
-//!    it is solved by fixed-point rounds that learn from one another.
+//!    ([`Linear`](crate::form_factor::linear::Linear)): `O(m)` hemicubes instead of
+//!    `O(n)`. Cells that show a mirror or a pane send rays onwards. These rows make the
+//!    linear system; it is solved by fixed-point rounds that learn from one another.
 //! 3. Patches are split where the reflected light is not linear between their corners, and
 //!    hemicubes at the new corners ask the patches.
 //! 4. On that mesh once more the direct light, as finely as was asked for.
@@ -22,12 +23,13 @@
 //! vertices).
 
 mod anderson;
+mod onward;
 mod system;
 
 use super::refine::{Ask, Refinement};
 use super::{Direct, Enclosure, Ledger, Progress};
 use crate::geometry::Rgb;
-use crate::mesh::{Element, Mesh, Place};
+use crate::mesh::{Backs, Element, Mesh, Place};
 use crate::scene::Scene;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -60,6 +62,8 @@ pub struct Smooth {
     pub patches: usize,
     /// `H`, W/m², per vertex of the mesh.
     pub irradiance: Vec<Rgb>,
+    /// `H` of the other side in the same place, where there is one.
+    pub behind: Vec<Rgb>,
     /// Where the light went.
     pub ledger: Ledger,
     /// `‖r‖/‖B − E‖` of the linear system of the patches.
@@ -68,6 +72,16 @@ pub struct Smooth {
     pub rounds: usize,
     /// How many hemicubes were drawn.
     pub hemicubes: usize,
+}
+
+impl Smooth {
+    /// `B = E + ρ H + τ H_behind`, W/m², of `element` for these two.
+    pub fn radiosity(&self, scene: &Scene, element: &Element, h: [Rgb; 2]) -> Rgb {
+        let material =
+            &scene.materials[self.mesh.patch_of(element).material.0 as usize];
+        let through = material.translucence() * h[1];
+        material.emission() + material.diffuse() * h[0] + through
+    }
 }
 
 /// Corners at the rim of a surface see the cusp that light has there. This share of an
@@ -86,107 +100,151 @@ const MOST_ROUNDS: usize = 1000;
 
 /// Finds the light of a scene.
 pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
-    let patches = Mesh::patched(scene, how.patch);
     let direct = Direct::of(scene);
-    let rho = |mesh: &Mesh, e: &Element| {
-        scene.materials[mesh.patch_of(e).material.0 as usize].diffuse()
+    let lamps = Lamps { scene, direct: &direct, how };
+    let patches = Mesh::patched(scene, how.patch);
+    progress("direct light", 0, 2);
+    let scale = lamps.scale(&patches);
+    let (fine, light) = lamps.on(&patches, 2.0 * how.direct, scale);
+    let mut system =
+        System::new(scene, &patches, (&fine, &light), &direct, how.hemicube);
+    let looks = AtomicUsize::new(system.look(how.reflected.is_finite(), progress));
+    let light = reflected_light(scene, &mut system, how, &looks, progress);
+
+    progress("direct light", 1, 2);
+    let receivers = light.mesh.with_elements_as_patches();
+    let (mesh, mut irradiance) = lamps.on(&receivers, how.direct, light.scale);
+    for place in mesh.places(0.0).iter().enumerate() {
+        let (k, Some(Place { element, .. })) = place else { continue };
+        let whole = mesh.elements[*element as usize].patch;
+        let whole = &light.mesh.elements[whole.0 as usize];
+        irradiance[k] += light.mesh.value_at(whole, mesh.vertices[k], &light.on_mesh);
+    }
+    mesh.anchor(&mut irradiance);
+    let mut found = Smooth {
+        behind: Backs::of(scene, &mesh).apply(&irradiance),
+        patches: patches.elements.len(),
+        mesh,
+        irradiance,
+        ledger: Ledger::default(),
+        solver_residual: light.residual,
+        rounds: light.rounds,
+        hemicubes: looks.into_inner(),
     };
-    let direct_light = |mesh: &Mesh, target: f64, scale: Rgb| {
+    let source = |e: &Element| {
+        let patch = light.mesh.elements[e.patch.0 as usize].patch;
+        patch.0 as usize
+    };
+    found.ledger = system.ledger(scene, &found, &light.on_patches, &source);
+    progress("direct light", 2, 2);
+    found
+}
+
+/// Direct light, and how finely it is asked for.
+struct Lamps<'a> {
+    scene: &'a Scene,
+    direct: &'a Direct<'a>,
+    how: &'a Resolution,
+}
+
+impl Lamps<'_> {
+    /// The direct light at the vertices of `mesh`, split until it is right to `target`.
+    fn on(&self, mesh: &Mesh, target: f64, scale: Rgb) -> (Mesh, Vec<Rgb>) {
         let on: Vec<_> =
-            mesh.elements.par_iter().map(|e| direct.on(&e.polygon)).collect();
+            mesh.elements.par_iter().map(|e| self.direct.on(&e.polygon)).collect();
         Refinement {
             light: &|e, at| on[e.patch.0 as usize].irradiance(at),
-            reflectance: &|e| rho(mesh, e),
+            reflectance: &|e| scattered(self.scene, mesh, e),
             ask: Ask::All,
             inside: JUST_INSIDE,
             scale,
             target,
-            most: how.most_elements,
+            most: self.how.most_elements,
         }
         .run(mesh.clone())
-    };
-    progress("direct light", 0, 2);
-    let scale = direct_scale(scene, &patches, &direct);
-    let (fine, light) = direct_light(&patches, 2.0 * how.direct, scale);
-    let mut system =
-        System::new(scene, &patches, (&fine, &light), &direct, how.hemicube);
-    let bounces = how.reflected.is_finite();
-    let counter = AtomicUsize::new(system.look(bounces, progress));
-    let dark = vec![Rgb::ZERO; system.corners.len()];
-    let (reflected, _, rounds) = system.solve(how.solver, &dark, progress);
-    let shone = system.reflected_slopes(&reflected);
-    let scale = system.reflected_light(&reflected);
+    }
 
+    /// `‖ρ H_direct‖²` by the centres of the patches.
+    fn scale(&self, patches: &Mesh) -> Rgb {
+        let reflected = |e: &Element| {
+            let light = self.direct.on(&e.polygon).irradiance(e.polygon.centroid());
+            scattered(self.scene, patches, e) * light
+        };
+        let light: Vec<Rgb> = patches.elements.par_iter().map(reflected).collect();
+        Enclosure::of(self.scene, patches).norm_squared(light)
+    }
+}
+
+/// What an element of `mesh` scatters diffusely, to either side.
+fn scattered(scene: &Scene, mesh: &Mesh, e: &Element) -> Rgb {
+    scene.materials[mesh.patch_of(e).material.0 as usize].scattered()
+}
+
+/// Reflected light, in `H`, W/m².
+struct Reflected {
+    /// At the corners of the patches.
+    on_patches: Vec<Rgb>,
+    /// The patches, split where this light bends.
+    mesh: Mesh,
+    /// At the vertices of `mesh`.
+    on_mesh: Vec<Rgb>,
+    /// `‖B − E‖²`.
+    scale: Rgb,
+    residual: f64,
+    rounds: usize,
+}
+
+/// Solves for the light at the corners of the patches, splits them where it bends, and
+/// corrects by that what they send.
+fn reflected_light(
+    scene: &Scene,
+    system: &mut System,
+    how: &Resolution,
+    looks: &AtomicUsize,
+    progress: Progress,
+) -> Reflected {
+    let patches = system.patches();
+    let dark = vec![Rgb::ZERO; patches.vertices.len()];
+    let (before, residual, rounds) = system.solve(how.solver, &dark, progress);
+    let scale = system.reflected_light(&before);
     progress("reflected light", 0, 1);
+    if how.reflected.is_infinite() {
+        let (mesh, on_mesh) = (patches.clone(), before.clone());
+        return Reflected {
+            on_patches: before,
+            mesh,
+            on_mesh,
+            scale,
+            residual,
+            rounds,
+        };
+    }
+    let shone = system.reflected_slopes(&before);
     let finer = Refinement {
         light: &|e, at| {
-            counter.fetch_add(1, Ordering::Relaxed);
+            looks.fetch_add(1, Ordering::Relaxed);
             system.seen_from(at, e.polygon.normal()).irradiance(&shone)
         },
-        reflectance: &|e| rho(&patches, e),
+        reflectance: &|e| scattered(scene, patches, e),
         ask: Ask::Centre,
         inside: INSIDE,
         scale,
         target: how.reflected,
         most: how.most_elements.min(MOST_SPLIT * patches.elements.len()),
     };
-    let (coarse, mut reflected_fine) = match bounces {
-        true => finer.run_from(patches.clone(), system.places(), reflected.clone()),
-        false => (patches.clone(), reflected.clone()),
-    };
+    let (mesh, mut on_mesh) =
+        finer.run_from(patches.clone(), system.places(), before.clone());
 
     // What patches send is corrected by how their light bulges between the corners.
-    let before = reflected;
-    system.bulge_of(&coarse, &reflected_fine);
-    let (reflected, solver_residual, again) =
-        system.solve(how.solver, &before, progress);
-    let change: Vec<Rgb> = reflected.iter().zip(&before).map(|(a, b)| a - b).collect();
-    for (k, place) in coarse.places(0.0).iter().enumerate() {
+    system.bulge_of(scene, &mesh, &on_mesh);
+    let (on_patches, residual, again) = system.solve(how.solver, &before, progress);
+    let change: Vec<Rgb> = on_patches.iter().zip(&before).map(|(a, b)| a - b).collect();
+    for (k, place) in mesh.places(0.0).iter().enumerate() {
         let Some(Place { element, .. }) = place else { continue };
-        let patch = coarse.elements[*element as usize].patch;
+        let patch = mesh.elements[*element as usize].patch;
         let patch = &patches.elements[patch.0 as usize];
-        reflected_fine[k] += patches.value_at(patch, coarse.vertices[k], &change);
+        on_mesh[k] += patches.value_at(patch, mesh.vertices[k], &change);
     }
-    coarse.anchor(&mut reflected_fine);
-    let rounds = rounds + again;
-
-    progress("direct light", 1, 2);
-    let receivers = coarse.with_elements_as_patches();
-    let (mesh, mut irradiance) = direct_light(&receivers, how.direct, scale);
-    for place in mesh.places(0.0).iter().enumerate() {
-        let (k, Some(Place { element, .. })) = place else { continue };
-        let whole = mesh.elements[*element as usize].patch;
-        let whole = &coarse.elements[whole.0 as usize];
-        irradiance[k] += coarse.value_at(whole, mesh.vertices[k], &reflected_fine);
-    }
-    mesh.anchor(&mut irradiance);
-    let ledger = {
-        let source = |e: &Element| {
-            let patch = coarse.elements[e.patch.0 as usize].patch;
-            patch.0 as usize
-        };
-        system.ledger(scene, &mesh, &irradiance, &reflected, &source)
-    };
-    progress("direct light", 2, 2);
-    Smooth {
-        patches: patches.elements.len(),
-        mesh,
-        irradiance,
-        ledger,
-        solver_residual,
-        rounds,
-        hemicubes: counter.into_inner(),
-    }
-}
-
-/// `‖ρ H_direct‖²` by the centres of the patches.
-fn direct_scale(scene: &Scene, patches: &Mesh, direct: &Direct) -> Rgb {
-    let enclosure = Enclosure::of(scene, patches);
-    let light: Vec<Rgb> = patches
-        .elements
-        .par_iter()
-        .map(|e| direct.on(&e.polygon).irradiance(e.polygon.centroid()))
-        .collect();
-    let reflected = enclosure.reflectance.iter().zip(light).map(|(&rho, h)| rho * h);
-    enclosure.norm_squared(reflected)
+    mesh.anchor(&mut on_mesh);
+    Reflected { on_patches, mesh, on_mesh, scale, residual, rounds: rounds + again }
 }

@@ -212,7 +212,8 @@ impl Cell {
         let [t, p] = [self.polar, self.azimuth].map(|[a, b]| (a + b) / 2.0);
         let middle = DVec3::new(t.sin() * p.sin(), t.cos(), -t.sin() * p.cos());
         let height = normal.dot(middle);
-        let [down, along] = [self.polar, self.azimuth].map(|[a, b]| b - a);
+        let [down, turn] = [self.polar, self.azimuth].map(|[a, b]| b - a);
+        let along = turn * (t.sin() + down / 2.0).min(1.0); // parallels shorten to the pole
         // No point of the cell is farther from its middle than this.
         let radius = (down + along) / 2.0;
         if height <= -radius {

@@ -3,6 +3,7 @@
 
 pub mod any;
 pub mod mirrored;
+pub mod paths;
 pub mod rooms;
 pub mod shapes;
 pub mod truth;

@@ -163,7 +163,7 @@ fn translucent_sheets_are_the_same_from_both_sides() {
         let l = (0..2000).map(|_| tracer.radiance(below, &mut random).x);
         // the upper side sees the whole sky, H = π, and radiance is τ H/π
         let l: f64 = l.sum::<f64>() / 2000.0;
-        assert!((l - tau).abs() < 1e-9, "{l}");
+        assert!((l - tau).abs() < 0.005, "{l}"); // some 4 σ of 2000 paths
         let above = Ray { origin: dvec3(0.1, 0.1, 1.0), direction: DVec3::NEG_Z };
         assert_eq!(tracer.radiance(above, &mut random), Rgb::ZERO);
     }

@@ -1,48 +1,63 @@
-//! Light straight from the emitters, exactly.
+//! Light straight from the emitters, exactly: also by flat mirrors, and through panes.
 //!
 //! ```text
-//! H_direct(x) = Σ_k E_k F(x → what x sees of emitter k)
+//! H_direct(x) = Σ_k E_k Σ_images k_s F(x → what x sees of the image of emitter k)
 //! ```
-//! Each factor is Lambert's formula of the emitter with its hidden parts cut away
-//! ([`lambert_visible`]): no ray, no noise, a shadow edge where it belongs. So the solvers
-//! need only find the light that was reflected at least once, which varies slowly.
+//! Each factor is Lambert's formula of the emitter with its hidden parts cut away: no ray,
+//! no noise, a shadow edge where it belongs. In a mirror it is seen as its image
+//! ([`VirtualWorld`]). So the solvers need only find the light that was reflected
+//! diffusely at least once, which varies slowly. An opening through which the sky is seen
+//! is an emitter, too: one whose radiance depends on the direction.
 
-use crate::form_factor::{Blocker, Blockers, lambert_visible};
+use super::portals::portals;
 use crate::geometry::{Polygon, Rgb};
 use crate::scene::Scene;
+use crate::sky::Sky;
 use crate::specular::Chain;
+use crate::virtual_world::{Sight, VirtualWorld};
 use glam::DVec3;
+use std::f64::consts::PI;
 
 /// Scenes with more emitting surfaces than this have no light summed exactly.
 const MOST_EMITTERS: usize = 32;
 
-/// The emitters of a scene, and what may stand before them.
+/// So many images of each emitter: a second level of reflections, if it keeps within this.
+const MOST_IMAGES: usize = 64;
+
+/// The emitters of a scene, their images, and what may stand before them.
 pub struct Direct<'a> {
     emitters: Vec<(&'a Polygon, Rgb)>,
-    blockers: Blockers,
+    /// Openings to the sky; none when it is also seen elsewhere.
+    portals: Vec<Polygon>,
+    sky: Option<&'a Sky>,
+    world: VirtualWorld,
 }
 
 impl<'a> Direct<'a> {
-    /// Those of a scene; without any when there are more than 32, whose light then has to
-    /// be gathered as all other light is.
+    /// Those of a scene, by up to two mirrors if these are few; without any emitter when
+    /// there are more than 32, whose light then has to be gathered as all other light is.
     pub fn of(scene: &'a Scene) -> Direct<'a> {
+        let one = VirtualWorld::of(scene, 1);
+        let mirrors = one.mirrors().len();
+        let more = mirrors * mirrors.saturating_sub(1) + mirrors;
+        let world = match mirrors > 0 && more <= MOST_IMAGES {
+            true => VirtualWorld::of(scene, 2),
+            false => one,
+        };
+        Direct::in_world(scene, world)
+    }
+
+    /// The same by the images of a given world.
+    pub fn in_world(scene: &'a Scene, world: VirtualWorld) -> Direct<'a> {
         let emitting = scene.surfaces.iter().filter(|s| scene.material(s).emits());
         let mut emitters: Vec<(&Polygon, Rgb)> =
             emitting.map(|s| (&s.polygon, scene.material(s).emission())).collect();
         if emitters.len() > MOST_EMITTERS {
             emitters.clear();
         }
-        Direct { emitters, blockers: Blockers::of(scene) }
-    }
-
-    /// Is light of lamps summed that comes this way?
-    pub fn sums(&self, chain: &Chain) -> bool {
-        self.sums_emitters() && *chain == Chain::default()
-    }
-
-    /// Is light of the sky summed that comes this way?
-    pub fn sums_sky(&self, _: &Chain) -> bool {
-        false
+        let sky = scene.sky.as_ref().filter(|sky| sky.shines());
+        let portals = if sky.is_some() { portals(scene) } else { Vec::new() };
+        Direct { emitters, portals, sky, world }
     }
 
     /// Is there an emitter whose light is summed here?
@@ -50,48 +65,66 @@ impl<'a> Direct<'a> {
         !self.emitters.is_empty()
     }
 
+    /// Is light of lamps summed that comes this way?
+    pub fn sums(&self, chain: &Chain) -> bool {
+        self.sums_emitters() && self.follows(chain)
+    }
+
+    /// Is light of the sky summed that comes this way?
+    pub fn sums_sky(&self, chain: &Chain) -> bool {
+        !self.portals.is_empty() && self.follows(chain)
+    }
+
+    fn follows(&self, chain: &Chain) -> bool {
+        !chain.bent && chain.bounces <= self.world.levels()
+    }
+
     /// The light on `piece`, a part of a surface: only what reaches into the shafts between
     /// it and the emitters is asked about.
     pub fn on(&self, piece: &Polygon) -> OnPiece<'_> {
-        let between = |&(emitter, e)| Lamp {
-            emitter,
-            e,
-            past: self.blockers.between(piece, emitter),
+        let lamp = |&(emitter, e): &(&Polygon, Rgb)| {
+            let sights = self.world.sights(piece, emitter).into_iter();
+            sights.map(move |sight| (sight, e))
         };
-        let above = |lamp: &&(&Polygon, Rgb)| {
-            let corners = |p: &Polygon, q: &Polygon| {
-                q.vertices().iter().any(|&v| p.plane().height(v) > 0.0)
-            };
-            corners(piece, lamp.0) && corners(lamp.0, piece)
-        };
-        let lamps = self.emitters.iter().filter(above).map(between).collect();
-        OnPiece { normal: piece.normal(), lamps }
+        let of_sky = |portal| self.world.sights(piece, portal).into_iter();
+        OnPiece {
+            normal: piece.normal(),
+            lamps: self.emitters.iter().flat_map(lamp).collect(),
+            portals: self.portals.iter().flat_map(of_sky).collect(),
+            sky: self.sky,
+        }
     }
-}
-
-struct Lamp<'a> {
-    emitter: &'a Polygon,
-    e: Rgb,
-    past: Vec<&'a Blocker>,
 }
 
 /// The emitters as they light a piece of a surface.
 pub struct OnPiece<'a> {
     normal: DVec3,
-    lamps: Vec<Lamp<'a>>,
+    lamps: Vec<(Sight, Rgb)>,
+    portals: Vec<Sight>,
+    sky: Option<&'a Sky>,
 }
 
 impl OnPiece<'_> {
     /// `H_direct`, W/m², at the point `x` of the piece.
     pub fn irradiance(&self, x: DVec3) -> Rgb {
-        let from = |lamp: &Lamp| {
-            lamp.e * lambert_visible(x, self.normal, lamp.emitter, &lamp.past)
-        };
-        self.lamps.iter().map(from).sum()
+        let from = |(sight, e): &(Sight, Rgb)| *e * sight.factor(x, self.normal);
+        self.lamps.iter().map(from).sum::<Rgb>() + self.of_sky(x)
+    }
+
+    /// What of it is the sky's.
+    pub fn of_sky(&self, x: DVec3) -> Rgb {
+        let Some(sky) = self.sky else { return Rgb::ZERO };
+        // Relative to a typical radiance, so that what is even is judged by that.
+        let typical =
+            (sky.irradiance(sky.up()).max_element() / PI).max(f64::MIN_POSITIVE);
+        let radiance = |direction: DVec3| sky.radiance(direction) / typical;
+        let from = |sight: &Sight| sight.irradiance(x, self.normal, &radiance);
+        typical * self.portals.iter().map(from).sum::<Rgb>()
     }
 
     /// Can nothing come between the piece and its emitters?
     pub fn is_free(&self) -> bool {
-        self.lamps.iter().all(|lamp| lamp.past.is_empty())
+        self.lamps.iter().all(|(sight, _)| sight.is_free())
+            && self.portals.iter().all(Sight::is_free)
     }
 }

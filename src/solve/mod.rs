@@ -36,6 +36,7 @@ pub mod hierarchy;
 mod jacobi;
 mod ledger;
 mod overshoot;
+mod portals;
 mod refine;
 mod shoot;
 mod smooth;

@@ -5,7 +5,9 @@ use super::{Image, Pane, VirtualWorld};
 use crate::form_factor::{Blocker, Shaft, lambert_visible, parted, visible_parts};
 use crate::geometry::{Outline, Plane, Polygon, Rgb};
 use crate::radiometry::projected_solid_angle;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
+use smallvec::SmallVec;
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// A polygon as a piece of a surface may see it by one image: where it seems to be, through
@@ -23,6 +25,8 @@ pub struct Sight {
     /// What the mirrors send on whatever the angle.
     reflectance: Rgb,
     level: u32,
+    /// Takes directions of sight to those of the world itself.
+    folded: DMat3,
 }
 
 /// A mirror whose share depends on the angle.
@@ -85,6 +89,7 @@ impl VirtualWorld {
             veils: Vec::new(),
             reflectance: Rgb::ONE,
             level: image.level(),
+            folded: image.transform().matrix3.transpose(),
         };
         self.add_mirrors(image, &mut sight);
         for leg in 0..=image.mirrors.len() {
@@ -208,30 +213,68 @@ impl Sight {
     /// # Accuracy
     /// Rounding; about 1e-4 of it where Fresnel's law weighs it.
     pub fn factor(&self, x: DVec3, n: DVec3) -> Rgb {
-        let Some(seen) = clip_to(&self.windows, x, self.target.vertices()) else {
-            return Rgb::ZERO;
-        };
-        let Some(seen) = Polygon::piece(seen.to_vec(), self.target.normal()) else {
-            return Rgb::ZERO;
-        };
-        let blockers: Vec<&Blocker> = self.blockers.iter().collect();
+        let Some(seen) = self.through_windows(x) else { return Rgb::ZERO };
+        let blockers: SmallVec<[&Blocker; 8]> = self.blockers.iter().collect();
         if self.is_even() {
             return self.reflectance * lambert_visible(x, n, &seen, &blockers);
         }
-        if seen.plane().height(x) <= 0.0 {
-            return Rgb::ZERO;
-        }
-        let parts = visible_parts(x, &seen, &blockers);
-        let weighed =
-            parts.into_iter().map(|part| self.weighed(x, n, part, &self.veils));
-        self.reflectance * weighed.sum::<Rgb>()
+        self.integral(x, n, &seen, &|_| Rgb::ONE)
     }
     // ANCHOR_END: factor
 
+    /// Irradiance, W/m², of what is behind the target: `radiance`, in W/(m² sr), in each
+    /// direction of the world itself, as light of the sky is.
+    ///
+    /// # Accuracy
+    /// About 1e-4 of it where radiance is smooth and about 1; edges of radiance are found to
+    /// a 64th of the target.
+    pub fn irradiance(
+        &self,
+        x: DVec3,
+        n: DVec3,
+        radiance: &dyn Fn(DVec3) -> Rgb,
+    ) -> Rgb {
+        let Some(seen) = self.through_windows(x) else { return Rgb::ZERO };
+        let in_world = |d: DVec3| radiance(self.folded * d);
+        PI * self.integral(x, n, &seen, &in_world)
+    }
+
+    /// What of the target lies behind all windows.
+    fn through_windows(&self, x: DVec3) -> Option<Cow<'_, Polygon>> {
+        if self.windows.is_empty() {
+            return Some(Cow::Borrowed(&self.target));
+        }
+        let seen = clip_to(&self.windows, x, self.target.vertices())?;
+        Polygon::piece(seen.to_vec(), self.target.normal()).map(Cow::Owned)
+    }
+
+    /// `1/π ∫ radiance · share · cosθ dω` over what is not hidden.
+    fn integral(
+        &self,
+        x: DVec3,
+        n: DVec3,
+        seen: &Polygon,
+        radiance: &dyn Fn(DVec3) -> Rgb,
+    ) -> Rgb {
+        if seen.plane().height(x) <= 0.0 {
+            return Rgb::ZERO;
+        }
+        let blockers: SmallVec<[&Blocker; 8]> = self.blockers.iter().collect();
+        let parts = visible_parts(x, seen, &blockers);
+        let weighed = |part| self.weighed(x, n, part, radiance);
+        self.reflectance * parts.into_iter().map(weighed).sum::<Rgb>()
+    }
+
     /// The factor to `part`, seen past blockers: parted by the first veil, then the next.
-    fn weighed(&self, x: DVec3, n: DVec3, part: Outline, veils: &[Veil]) -> Rgb {
+    fn weighed(
+        &self,
+        x: DVec3,
+        n: DVec3,
+        part: Outline,
+        radiance: &dyn Fn(DVec3) -> Rgb,
+    ) -> Rgb {
         let mut behind: Vec<(Outline, Vec<&Veil>)> = vec![(part, Vec::new())];
-        for veil in veils {
+        for veil in &self.veils {
             for (part, through) in std::mem::take(&mut behind) {
                 let cone = veil.cone(x);
                 let (veiled, clear) = parted(part, &cone);
@@ -244,7 +287,7 @@ impl Sight {
             }
         }
         let of = |(part, through): &(Outline, Vec<&Veil>)| {
-            let share = |direction: DVec3| self.share(direction, through);
+            let share = |d: DVec3| radiance(d) * self.share(d, through);
             integrated(x, n, part, &share, DEEPEST)
         };
         behind.iter().map(of).sum()

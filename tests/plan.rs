@@ -160,8 +160,7 @@ fn what_is_out_of_reach_is_said_beforehand() {
 /// In counts, not seconds; the exact answer of the furnace is predicted exactly.
 #[test]
 fn predicted_work_is_within_a_factor_two() {
-    for built_in in builtins() {
-        let scene = (built_in.make)();
+    for scene in builtins().iter().map(|b| (b.make)()).filter(Scene::is_plain) {
         for tolerance in [0.1, 0.02, 0.01] {
             let plan = Plan::of(&scene, tolerance);
             let done = plan.run(&Ask::default(), &|_, _, _| {});
@@ -180,7 +179,7 @@ fn predicted_work_is_within_a_factor_two() {
                 assert!(
                     predicted <= 2.0 * spent && spent <= 2.0 * predicted,
                     "{} at {tolerance}: {predicted} {what} predicted, {spent} spent",
-                    built_in.name
+                    scene.name
                 );
             }
         }

@@ -1,7 +1,9 @@
 //! The built-in scenes are what they claim to be.
 
 use glam::DVec3;
-use radiosity::scene::{FaceId, Scene, built_in, builtins};
+use radiosity::geometry::Ray;
+use radiosity::scene::{FaceId, Scene, Side, built_in, builtins};
+use radiosity::visibility::Visibility;
 use serde_json::Value;
 use std::collections::HashMap;
 
@@ -17,9 +19,10 @@ fn every_scene_has_its_name_a_light_and_sound_ids() {
         assert!(scene.has_emitter(), "{}", b.name);
         for s in &scene.surfaces {
             assert!((s.face.0 as usize) < scene.faces.len());
-            assert_eq!(s.material, scene.faces[s.face.0 as usize].material);
+            let of_face = scene.faces[s.face.0 as usize].material;
+            assert!(s.material == of_face || s.side == Side::Back);
         }
-        assert!(scene.surfaces.is_sorted_by_key(|s| s.face), "{}", b.name);
+        assert!(scene.fronts().is_sorted_by_key(|s| s.face), "{}", b.name);
     }
 }
 
@@ -183,4 +186,37 @@ fn the_furnace_takes_any_reflectance_below_one() {
     }
     let error = built_in("cornel").unwrap_err().to_string();
     assert!(error.contains("`cornel`") && error.contains("cornell-regular"), "{error}");
+}
+
+/// What is not plain is said to be: mirrors and panes shine, the sky and paper do not.
+#[test]
+fn scenes_that_shine_are_told_from_plain_ones() {
+    for b in builtins() {
+        let scene = (b.make)();
+        let plain = ["cornell", "cornell-regular", "furnace", "facing-squares"];
+        let plain =
+            plain.contains(&b.name) || ["l-room", "indirect-room"].contains(&b.name);
+        assert_eq!(scene.is_plain(), plain, "{}", b.name);
+        let dull = plain || ["sky-room", "translucent-screen"].contains(&b.name);
+        assert_eq!(scene.shines(), !dull, "{}", b.name);
+        let bare = scene.bare_geometry();
+        assert!(bare.is_plain() && bare.face_areas() == scene.face_areas());
+        assert!((100..500).contains(&scene.faces.len()) || b.name != "gallery");
+    }
+}
+
+/// No camera stands behind a wall.
+#[test]
+fn what_a_camera_looks_at_is_no_black_back() {
+    for b in builtins() {
+        let scene = (b.make)();
+        let eye = scene.camera.eye;
+        let visibility = Visibility::new(scene.surfaces.iter().map(|s| &s.polygon));
+        let direction = (scene.camera.target - eye).normalize();
+        let hit = visibility.closest(&Ray { origin: eye, direction }, None);
+        let hit = hit.unwrap_or_else(|| panic!("{} looks at nothing", b.name));
+        let surface = &scene.surfaces[hit.item as usize];
+        let seen = hit.front || scene.material(surface).shine().passes();
+        assert!(seen || surface.back.is_some(), "{} looks at a back", b.name);
+    }
 }

@@ -59,14 +59,13 @@ fn explained(name: &str) -> String {
     format!("```text\n{lines}```\n")
 }
 
-/// The plans for all built-in scenes.
+/// The plans for all plain built-in scenes.
 fn plans() -> String {
     let mut text = String::from(
         "| scene | leaves at once | in the way | mean ρ | bounces | shadowed | patches | \
          hemicubes | elements |\n|---|---|---|---|---|---|---|---|---|\n",
     );
-    for built_in in builtins() {
-        let scene = (built_in.make)();
+    for scene in builtins().iter().map(|b| (b.make)()).filter(Scene::is_plain) {
         let plan = Plan::of(&scene, 0.01);
         let (seen, work) = (&plan.survey, plan.predicted);
         let shadows = plan.decisions.iter().find(|d| d.what == "shadows");
@@ -77,7 +76,7 @@ fn plans() -> String {
         let _ = writeln!(
             text,
             "| `{}` | {:.0} % | {} | {:.2} | {} | {shadowed} | {} | {:.0} | {:.0} |",
-            built_in.name,
+            scene.name,
             100.0 * seen.escaping_lamps,
             seen.blockers,
             seen.mean_reflectance,

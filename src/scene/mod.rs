@@ -142,6 +142,20 @@ impl Scene {
         low.distance(high)
     }
 
+    /// Does any surface mirror, gloss or let light through in directions of its own, so
+    /// that it looks different from different places?
+    pub fn shines(&self) -> bool {
+        self.surfaces.iter().any(|s| !self.material(s).shine().is_dull())
+    }
+
+    /// Is there nothing but opaque surfaces that scatter diffusely, and no sky: what
+    /// radiosity was made for?
+    pub fn is_plain(&self) -> bool {
+        self.sky.is_none()
+            && !self.shines()
+            && self.surfaces.iter().all(|s| s.back.is_none())
+    }
+
     /// Does any surface emit, or the sky shine?
     pub fn has_emitter(&self) -> bool {
         self.sky.as_ref().is_some_and(Sky::shines)

@@ -6,6 +6,7 @@
 
 use super::Builder;
 use crate::geometry::Rgb;
+use crate::material::Shine;
 use crate::scene::{Camera, MaterialId, Scene};
 use glam::{DVec3, dvec3};
 
@@ -34,6 +35,12 @@ const LAMP: MaterialId = MaterialId(3);
 
 /// Four corners in whole steps of some length: no digit is lost on the way.
 type Quad = (MaterialId, [[u16; 3]; 4]);
+
+/// Tenths of a millimetre in a metre.
+const TENTHS: f64 = 10_000.0;
+
+/// Where the tall block begins in [`MEASURED`].
+const TALL_BLOCK: usize = 11;
 
 /// The measured box, in tenths of a millimetre; fronts into the room, out of the blocks.
 ///
@@ -86,6 +93,36 @@ const REGULAR: [Quad; 16] = [
 /// Its red wall is 1.6 mm off plane and becomes two triangles; its lamp lies in the plane
 /// of the ceiling, which is cut around it.
 pub(super) fn measured() -> Scene {
+    in_metres("cornell", MEASURED.len(), |_| {})
+}
+
+/// What the mirror of the tall block keeps: it is silvered glass.
+const SILVER: Rgb = Rgb::new(0.95, 0.95, 0.93);
+
+/// The measured box, its tall block a mirror on all sides.
+pub(super) fn with_mirror() -> Scene {
+    in_metres("cornell-mirror", TALL_BLOCK, |builder| {
+        let shine = Shine::Mirror { reflectance: SILVER };
+        let mirror = builder.shiny("mirror", Rgb::ZERO, Rgb::ZERO, shine);
+        for (_, corners) in &MEASURED[TALL_BLOCK..] {
+            builder.face(mirror, &outline(corners, TENTHS));
+        }
+    })
+}
+
+/// The measured box with a pane of glass, a little green, that stands before its blocks.
+pub(super) fn with_pane() -> Scene {
+    in_metres("cornell-pane", MEASURED.len(), |builder| {
+        let shine = Shine::Pane { index: 1.5, tint: Rgb::new(0.88, 0.96, 0.92) };
+        let pane = builder.shiny("pane", Rgb::ZERO, Rgb::ZERO, shine);
+        let (near, far) = (dvec3(0.10, 0.0, 0.02), dvec3(0.40, 0.0, 0.05));
+        let up = 0.27 * DVec3::Y;
+        builder.face(pane, &[near, near + up, far + up, far]);
+    })
+}
+
+/// The first `count` faces of the measured box, and what else there is.
+fn in_metres(name: &str, count: usize, more: impl FnOnce(&mut Builder)) -> Scene {
     let camera = Camera {
         eye: dvec3(0.278, 0.273, -0.8),
         target: dvec3(0.278, 0.273, 0.2796),
@@ -94,7 +131,9 @@ pub(super) fn measured() -> Scene {
     };
     let lamp = (LAMP_RADIOSITY * LAMP_COLOUR, Rgb::splat(LAMP_REFLECTANCE));
     let paints = [WHITE_PAINT, GREEN_PAINT, RED_PAINT];
-    cornell("cornell", paints, lamp, &MEASURED, 10_000.0, camera)
+    let mut builder = cornell(paints, lamp, &MEASURED[..count], TENTHS);
+    more(&mut builder);
+    builder.scene(name, camera)
 }
 
 /// The box of the reference solution: right angles, a lamp of radiosity 1 that reflects
@@ -108,25 +147,27 @@ pub(super) fn regular() -> Scene {
     };
     let five_digits = |c: Rgb| (c * 1e5).round() / 1e5;
     let paints = [WHITE_PAINT, GREEN_PAINT, RED_PAINT].map(five_digits);
-    cornell("cornell-regular", paints, (Rgb::ONE, Rgb::ZERO), &REGULAR, 100.0, camera)
+    let lamp = (Rgb::ONE, Rgb::ZERO);
+    cornell(paints, lamp, &REGULAR, 100.0).scene("cornell-regular", camera)
 }
 
 fn cornell(
-    name: &str,
     [white, green, red]: [Rgb; 3],
     (emission, reflectance): (Rgb, Rgb),
     quads: &[Quad],
     steps: f64,
-    camera: Camera,
-) -> Scene {
+) -> Builder {
     let mut builder = Builder::default();
     builder.material("white", Rgb::ZERO, white);
     builder.material("green", Rgb::ZERO, green);
     builder.material("red", Rgb::ZERO, red);
     builder.material("lamp", emission, reflectance);
     for (material, corners) in quads {
-        let outline = corners.map(|c| DVec3::from_array(c.map(f64::from)) / steps);
-        builder.face(*material, &outline);
+        builder.face(*material, &outline(corners, steps));
     }
-    builder.scene(name, camera)
+    builder
+}
+
+fn outline(corners: &[[u16; 3]; 4], steps: f64) -> [DVec3; 4] {
+    corners.map(|c| DVec3::from_array(c.map(f64::from)) / steps)
 }

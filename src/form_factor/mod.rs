@@ -50,6 +50,7 @@ pub use matrix::{Cached, Matrix, Row};
 pub use visible::{lambert_visible, visible_parts};
 
 pub(crate) use blockers::{Shaft, joined_tiles};
+pub(crate) use quadrature::points;
 pub(crate) use visible::{inside, parted};
 
 use crate::geometry::{Frame, Polygon, Ray};
@@ -82,13 +83,16 @@ pub trait FormFactors: Sync {
 }
 
 /// The shares of an element's power that reach no front side, as the method counts them
-/// (never as one minus the rest).
+/// (never as one minus the rest): with them, the factors of a row sum to one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lost {
     /// Leaves the scene: empty hemicube cells, rays that hit nothing.
     pub escaped: f64,
-    /// Falls on the black back of a surface, and is absorbed there.
+    /// Falls on the black back of a surface, and is absorbed there; less what mirrors and
+    /// panes, which have factors as others do, send on.
     pub absorbed: f64,
+    /// Would be mirrored once more than is followed, and is taken as absorbed.
+    pub cut: f64,
 }
 
 /// A ray that carries its share of the power leaving `element`: start and direction from

@@ -69,7 +69,7 @@ pub(super) fn over(
 }
 
 /// The points of [`over`], each with the area that it stands for.
-pub(super) fn points(polygon: &Polygon, n: usize, mut at: impl FnMut(DVec3, f64)) {
+pub(crate) fn points(polygon: &Polygon, n: usize, mut at: impl FnMut(DVec3, f64)) {
     let v = polygon.vertices();
     let normal = polygon.normal();
     let mut first = 1;

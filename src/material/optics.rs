@@ -95,7 +95,8 @@ pub fn slab(cos_i: f64, index: f64, absorption: f64) -> (f64, f64) {
     let tau = (-absorption / cos_t).exp();
     let Fresnel { s, p } = fresnel(cos_i, 1.0 / index);
     let one = |face: f64| {
-        let passed = (1.0 - face).powi(2) * tau / (1.0 - (face * tau).powi(2));
+        let out = 1.0 - (face * tau).powi(2);
+        let passed = if out > 0.0 { (1.0 - face).powi(2) * tau / out } else { 0.0 };
         (face * (1.0 + tau * passed), passed)
     };
     let (s, p) = (one(s), one(p));

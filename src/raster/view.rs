@@ -1,7 +1,7 @@
 //! From the world to the picture, and back.
 
 use crate::scene::Camera;
-use glam::{DMat3, DVec2, DVec3, dvec3};
+use glam::{DAffine3, DMat3, DVec2, DVec3, dvec3};
 
 /// An eye and the pyramid that it looks through.
 ///
@@ -39,6 +39,15 @@ impl View {
         let half = (0.5 * camera.fov.to_radians()).tan();
         let up = right.cross(forward);
         View::new(camera.eye, right / (half * aspect), up / half, forward)
+    }
+
+    /// The view in another place, by an isometry. Moved to a mirror's other side, it shows
+    /// in each pixel what this one sees there in the mirror.
+    pub fn moved(&self, place: &DAffine3) -> View {
+        let rows = self.clip_from_world.transpose();
+        let turned = |axis: DVec3| place.transform_vector3(axis);
+        let [right, up, forward] = [rows.x_axis, rows.y_axis, rows.z_axis].map(turned);
+        View::new(place.transform_point3(self.eye), right, up, forward)
     }
 
     /// The same view with the picture moved by `by`, in picture coordinates.

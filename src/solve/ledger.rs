@@ -16,7 +16,8 @@ use crate::geometry::Rgb;
 pub struct Ledger {
     /// `Σ A E`.
     pub emitted: Rgb,
-    /// `Σ A (1 − ρ) H`, and what falls on black backs.
+    /// `Σ A (1 − ρ) H`, and what falls on black backs or is cut off; less what mirrors and
+    /// panes send on.
     pub absorbed: Rgb,
     /// What leaves the scene, as the factors' method counts it.
     pub escaped: Rgb,
@@ -61,7 +62,7 @@ impl Ledger {
 pub struct LostPower {
     /// Left the scene.
     pub escaped: Rgb,
-    /// Fell on black backs.
+    /// Fell on black backs, or is cut off; less what mirrors send on.
     pub absorbed: Rgb,
 }
 
@@ -69,7 +70,7 @@ impl LostPower {
     /// Adds the lost shares of this much power.
     pub fn add(&mut self, power: Rgb, lost: Lost) {
         self.escaped += power * lost.escaped;
-        self.absorbed += power * lost.absorbed;
+        self.absorbed += power * (lost.absorbed + lost.cut);
     }
 
     /// Is there any?

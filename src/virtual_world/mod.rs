@@ -13,6 +13,7 @@
 //! | part                    | use it when                            | it fails when         |
 //! |-------------------------|----------------------------------------|-----------------------|
 //! | [`VirtualWorld::sights`]| light from some places to many points  | mirrors are curved    |
+//! | [`VirtualWorld::exchange`] | factors between areas             | panes: 1e-4 at best   |
 //! | [`Image`]               | one chain of mirrors is to be looked at| the same              |
 //!
 //! A pane is a mirror on both sides, and a veil that weakens what passes: by angle.
@@ -22,9 +23,18 @@
 //! Rushmeier & Torrance 1990 and Wallace, Cohen & Greenberg 1987 (extended form factors,
 //! the virtual world); Heckbert & Hanrahan 1984 (beams through windows).
 
+mod books;
+mod cast;
+mod exact;
+mod exchange;
+mod hemicube;
 mod image;
 mod sight;
 
+pub use cast::ExtendedCast;
+pub use exact::ExtendedAnalytic;
+pub use exchange::Exchange;
+pub use hemicube::ExtendedHemicube;
 pub use image::Image;
 pub use sight::Sight;
 
@@ -91,6 +101,8 @@ pub struct VirtualWorld {
     mirrors: Vec<Mirror>,
     panes: Vec<Pane>,
     images: Vec<Image>,
+    /// For each surface the mirror that its front is (part of).
+    mirror_of: Vec<Option<u32>>,
     blockers: Blockers,
     margin: f64,
     levels: u32,
@@ -108,7 +120,22 @@ impl VirtualWorld {
     pub fn of(scene: &Scene, levels: u32) -> VirtualWorld {
         let margin = 1e-9 * scene.diagonal();
         let (mirrors, panes) = mirrors_of(scene, margin);
+        let mut mirror_of = vec![None; scene.surfaces.len()];
+        for (k, mirror) in (0u32..).zip(&mirrors) {
+            let front = |id: &&u32| {
+                let normal = scene.surfaces[**id as usize].polygon.normal();
+                normal.dot(mirror.outline.normal()) > 0.0
+            };
+            let surfaces = mirror.surfaces.iter();
+            let backs =
+                surfaces.clone().filter_map(|&s| scene.surfaces[s as usize].back);
+            let backs: Vec<u32> = backs.filter(|_| mirror.pane.is_some()).collect();
+            for &id in surfaces.chain(&backs).filter(front) {
+                mirror_of[id as usize] = Some(k);
+            }
+        }
         let mut world = VirtualWorld {
+            mirror_of,
             mirrors,
             panes,
             images: vec![Image::identity()],
@@ -150,6 +177,27 @@ impl VirtualWorld {
     pub fn levels(&self) -> u32 {
         self.levels
     }
+
+    /// The mirror that the front of a surface is (part of).
+    pub fn mirror_of(&self, surface: u32) -> Option<&Mirror> {
+        Some(&self.mirrors[self.mirror_of[surface as usize]? as usize])
+    }
+
+    // ANCHOR: divided
+    /// What becomes of light that meets a surface at this cosine to its normal: the shares
+    /// that are mirrored and that go straight on, per channel.
+    fn divided(&self, surface: u32, front: bool, cosine: f64) -> [Rgb; 2] {
+        let Some(mirror) = self.mirror_of(surface) else { return [Rgb::ZERO; 2] };
+        match mirror.pane {
+            Some(id) => {
+                let passed = self.panes[id].transmittance(cosine);
+                [mirror.reflectance(cosine), passed]
+            }
+            None if front => [mirror.reflectance(cosine), Rgb::ZERO],
+            None => [Rgb::ZERO; 2],
+        }
+    }
+    // ANCHOR_END: divided
 
     /// Is there no mirror and no pane?
     pub fn is_empty(&self) -> bool {

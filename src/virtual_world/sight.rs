@@ -23,7 +23,7 @@ pub struct Sight {
     by_angle: Vec<ByAngle>,
     veils: Vec<Veil>,
     /// What the mirrors send on whatever the angle.
-    reflectance: Rgb,
+    pub(super) reflectance: Rgb,
     level: u32,
     /// Takes directions of sight to those of the world itself.
     folded: DMat3,
@@ -79,7 +79,7 @@ impl VirtualWorld {
         if image.windows().iter().any(|w| shaft.misses_all(w.vertices())) {
             return None;
         }
-        let cuts = |w: &&Polygon| !surrounds(w, piece, &seen);
+        let cuts = |w: &&Polygon| !surrounds(w, piece, &seen, self.margin);
         let windows = image.windows().iter().filter(cuts).cloned().collect();
         let mut sight = Sight {
             target: seen,
@@ -170,14 +170,16 @@ impl VirtualWorld {
 }
 
 /// Does every line from one polygon to the other pass the window?
-fn surrounds(window: &Polygon, piece: &Polygon, seen: &Polygon) -> bool {
+fn surrounds(window: &Polygon, piece: &Polygon, seen: &Polygon, margin: f64) -> bool {
     let plane = window.plane();
     let passes = |&a: &DVec3, &b: &DVec3| {
-        let (ha, hb) = (plane.height(a), plane.height(b));
-        ha > 0.0 && hb <= 0.0 && window.contains(a + (b - a) * (ha / (ha - hb)), 0.0)
+        let (ha, hb) = (plane.height(a).max(0.0), plane.height(b).min(0.0));
+        let at = if ha > hb { ha / (ha - hb) } else { 0.0 };
+        window.contains(a + at * (b - a), margin)
     };
+    let above = piece.vertices().iter().all(|&v| plane.height(v) >= -margin);
     let from = piece.vertices();
-    from.iter().all(|a| seen.vertices().iter().all(|b| passes(a, b)))
+    above && from.iter().all(|a| seen.vertices().iter().all(|b| passes(a, b)))
 }
 
 impl Sight {
@@ -197,7 +199,7 @@ impl Sight {
     }
 
     /// Is the share the same at all angles?
-    fn is_even(&self) -> bool {
+    pub(super) fn is_even(&self) -> bool {
         self.veils.is_empty() && self.by_angle.is_empty()
     }
 

@@ -1,0 +1,188 @@
+//! Extended form factors by hemicubes: where a cell shows a mirror, the world behind it is
+//! drawn.
+//!
+//! ```text
+//! view in the mirror = view moved by R       the same pixels; what it draws is clipped to
+//! weight of a cell   = ΔF · share            the front of the mirror, and counted only where
+//!                                            the picture before showed the mirror
+//! ```
+//! So a cell that shows a mirror is a stencil, as in the lecture. Behind a pane the same view
+//! is drawn once more, beyond the pane.
+
+use super::VirtualWorld;
+use super::books::{Books, Met};
+use crate::form_factor::hemicube::{Face, Weights};
+use crate::form_factor::{FormFactors, Lost};
+use crate::geometry::{Frame, Plane};
+use crate::mesh::{ElementId, Mesh};
+use crate::raster::{ItemBuffer, Seen, View};
+use std::collections::BTreeMap;
+
+/// Hemicubes that look into a virtual world; otherwise as
+/// [`crate::form_factor::hemicube::Hemicube`].
+pub struct ExtendedHemicube<'a> {
+    mesh: &'a Mesh,
+    world: &'a VirtualWorld,
+    channel: usize,
+    resolution: u32,
+    weights: Weights,
+}
+
+/// A picture to be drawn: from where, beyond which plane, and what each cell counts.
+struct Look<'w> {
+    view: View,
+    beyond: Option<Plane>,
+    weights: std::borrow::Cow<'w, [f64]>,
+    left: u32,
+    /// The surface that is not drawn: a flat one does not see itself, but for in a mirror.
+    own: Option<u32>,
+}
+
+impl<'a> ExtendedHemicube<'a> {
+    /// Factors of this `channel` (0, 1 or 2) by hemicubes of this resolution.
+    ///
+    /// # Panics
+    /// As [`crate::form_factor::hemicube::Hemicube::new`].
+    pub fn new(
+        mesh: &'a Mesh,
+        world: &'a VirtualWorld,
+        channel: usize,
+        resolution: u32,
+    ) -> ExtendedHemicube<'a> {
+        let weights = Weights::exact(resolution);
+        ExtendedHemicube { mesh, world, channel, resolution, weights }
+    }
+
+    /// Draws what is looked at, books what arrives there, and returns what is to be looked
+    /// at next.
+    fn look(
+        &self,
+        size: (u32, u32),
+        look: &Look,
+        books: &mut Books,
+    ) -> Vec<Look<'static>> {
+        let mut buffer = ItemBuffer::new(size.0, size.1);
+        self.draw(look, &mut buffer);
+        // By mirror and side: what each cell counts in the next picture.
+        let mut mirrored: BTreeMap<(u32, bool), Vec<f64>> = BTreeMap::new();
+        let mut passed: BTreeMap<(u32, bool), Vec<f64>> = BTreeMap::new();
+        for (cell, seen) in buffer.pixels().enumerate() {
+            let share = look.weights[cell];
+            if share == 0.0 {
+                continue;
+            }
+            let (element, front) = match seen {
+                Seen::Nothing => {
+                    books.lost.escaped += share;
+                    continue;
+                }
+                Seen::Front(id) => (id, true),
+                Seen::Back(id) => (id, false),
+            };
+            let surface = self.mesh.surface_of(&self.mesh.elements[element as usize]);
+            let mirror = self.world.mirror_of[surface as usize];
+            let cosine = match mirror {
+                Some(_) => self.cosine(&look.view, size, cell, element),
+                None => 1.0,
+            };
+            let next = books.arrives(share, Met { element, front, cosine }, look.left);
+            let Some(id) = mirror else { continue };
+            for (share, map) in next.into_iter().zip([&mut mirrored, &mut passed]) {
+                if share > 0.0 {
+                    let empty = || vec![0.0; look.weights.len()];
+                    map.entry((id, front)).or_insert_with(empty)[cell] = share;
+                }
+            }
+        }
+        self.next(look, mirrored, passed)
+    }
+
+    // ANCHOR: next_look
+    fn next(
+        &self,
+        look: &Look,
+        mirrored: BTreeMap<(u32, bool), Vec<f64>>,
+        passed: BTreeMap<(u32, bool), Vec<f64>>,
+    ) -> Vec<Look<'static>> {
+        let plane = |(id, front): (u32, bool)| {
+            let plane = self.world.mirrors[id as usize].outline.plane();
+            if front { plane } else { plane.flipped() }
+        };
+        let reflected = mirrored.into_iter().map(|(id, weights)| Look {
+            view: look.view.moved(&plane(id).mirror()),
+            beyond: Some(plane(id)),
+            weights: weights.into(),
+            left: look.left - 1,
+            own: None,
+        });
+        let through = passed.into_iter().map(|(id, weights)| Look {
+            view: look.view,
+            beyond: Some(plane(id).flipped()),
+            weights: weights.into(),
+            left: look.left,
+            own: look.own,
+        });
+        reflected.chain(through).collect()
+    }
+    // ANCHOR_END: next_look
+
+    fn draw(&self, look: &Look, buffer: &mut ItemBuffer) {
+        for (id, element) in (0u32..).zip(&self.mesh.elements) {
+            if Some(self.mesh.surface_of(element)) == look.own {
+                continue;
+            }
+            let polygon = &element.polygon;
+            let Some(plane) = look.beyond else {
+                buffer.draw(&look.view, polygon, id);
+                continue;
+            };
+            let margin = self.world.margin;
+            let heights = || polygon.vertices().iter().map(|&v| plane.height(v));
+            if heights().all(|h| h <= margin) {
+                continue;
+            }
+            if heights().all(|h| h >= -margin) {
+                buffer.draw(&look.view, polygon, id);
+            } else if let Some(rest) = polygon.clipped(plane) {
+                buffer.draw(&look.view, &rest, id);
+            }
+        }
+    }
+
+    /// Between a cell's line of sight and an element's normal.
+    fn cosine(&self, view: &View, size: (u32, u32), cell: usize, element: u32) -> f64 {
+        let (x, y) = (cell as u32 % size.0, cell as u32 / size.0);
+        let direction = view.direction(View::pixel_centre(x, y, size.0, size.1));
+        let normal = self.mesh.elements[element as usize].polygon.normal();
+        (direction.dot(normal).abs() / direction.length()).min(1.0)
+    }
+}
+
+impl FormFactors for ExtendedHemicube<'_> {
+    fn len(&self) -> usize {
+        self.mesh.elements.len()
+    }
+
+    fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
+        row.fill(0.0);
+        let element = self.mesh.element(from);
+        let (eye, normal) = (element.polygon.centroid(), element.polygon.normal());
+        let own = Some(self.mesh.surface_of(element));
+        let (world, mesh, channel) = (self.world, self.mesh, self.channel);
+        let mut books = Books { world, mesh, channel, row, lost: Lost::default() };
+        for face in Face::ALL {
+            let size = face.size(self.resolution);
+            let mut looks = vec![Look {
+                view: face.view(eye, &Frame::about(normal)),
+                beyond: None,
+                weights: self.weights.of(face).into(),
+                left: world.levels(),
+                own,
+            }];
+            while let Some(look) = looks.pop() {
+                looks.extend(self.look(size, &look, &mut books));
+            }
+        }
+        books.lost
+    }
+}

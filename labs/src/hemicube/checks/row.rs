@@ -72,7 +72,7 @@ pub fn row(work: &Work, stream: &mut Stream, part: Part, old: f64) -> Verdict {
     ];
 
     let mut got = vec![old; ELEMENTS];
-    let Lost { escaped, absorbed } = (work.factor_row)(&items, &weights, &mut got);
+    let Lost { escaped, absorbed, .. } = (work.factor_row)(&items, &weights, &mut got);
     got.extend([escaped, absorbed]);
     let range = if part == Part::Row { 0..ELEMENTS } else { ELEMENTS..ELEMENTS + 2 };
     let suspects: Vec<Suspect> = wrong

@@ -108,8 +108,9 @@ pub const ALL: &[Wrong<Work>] = &[
         &[LOST_EXCHANGED],
         Work {
             factor_row: |items, weights, row| {
-                let Lost { escaped, absorbed } = (WORK.factor_row)(items, weights, row);
-                Lost { escaped: absorbed, absorbed: escaped }
+                let Lost { escaped, absorbed, .. } =
+                    (WORK.factor_row)(items, weights, row);
+                Lost { escaped: absorbed, absorbed: escaped, cut: 0.0 }
             },
             ..WORK
         },

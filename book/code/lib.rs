@@ -85,6 +85,7 @@ mod pages {
         labs_substructure: "labs/substructure.md",
         labs_shoot: "labs/shoot.md",
         labs_certify: "labs/certify.md",
+        labs_mirror_world: "labs/mirror-world.md",
         solving: "solving.md",
         notation: "notation.md",
         bibliography: "bibliography.md",

@@ -42,6 +42,7 @@ pub mod hemicube;
 pub mod substructure;
 pub mod shoot;
 pub mod certify;
+pub mod mirror_world;
 
 pub use check::{Bug, Verdict};
 pub use lab::{Lab, Who};
@@ -58,4 +59,5 @@ pub const LABS: &[&Lab] = &[
     &substructure::LAB,
     &shoot::LAB,
     &certify::LAB,
+    &mirror_world::LAB,
 ];

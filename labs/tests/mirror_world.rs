@@ -77,8 +77,8 @@ fn nan_fails() {
     assert_eq!(names, ["known", "any", "one-side"]);
 }
 
-/// Rays in directions of the cosine, mirrored where they hit: what they find of the lamp
-/// is the form factor, to four of its standard errors.
+/// Rays in directions of the cosine, mirrored where they hit: the share of them that
+/// finds the lamp is the form factor, to four standard errors.
 #[test]
 fn rays_find_the_same_factor() {
     const RAYS: u32 = 400_000;

@@ -25,8 +25,8 @@ bugs! {
          Reverse the order of the corners.";
     /// What is behind the mirror is mirrored too.
     BEHIND "behind"
-        "What lies behind the mirror was mirrored to its front. Clip the outline to the \
-         front of the mirror first.";
+        "What lies behind the mirror was mirrored to its front. Clip the outline to \
+         the front of the mirror first.";
     /// What is in front is dropped.
     WRONG_HALF "wrong-half"
         "The part in front of the mirror was dropped and the part behind kept.";
@@ -41,8 +41,8 @@ bugs! {
          inside?";
     /// The closing edge is not cut.
     GAP "gap"
-        "One edge of the window does not cut: is it the one from the last corner to the \
-         first?";
+        "One edge of the window does not cut: is it the one from the last corner to \
+         the first?";
     /// What stands before the window is kept.
     BEFORE "before"
         "What stands on the eye's side of the window is not seen *through* it: clip to \
@@ -52,8 +52,8 @@ bugs! {
         "A mirror has one side. From behind it nothing is seen: is the eye in front?";
     /// 0.
     DARK "dark"
-        "By the mirror comes no light at all. Does the image show its back (task 2)? Or \
-         does clipping leave nothing of it (task 3)?";
+        "By the mirror comes no light at all. Does the image show its back (task 2)? \
+         Or does clipping leave nothing of it (task 3)?";
     /// The lamp is seen directly.
     DIRECT "direct"
         "That is the factor to the lamp itself, not to its image.";
@@ -65,17 +65,17 @@ bugs! {
         "Are the cards looked at? One that stands in the way lets nothing through.";
     /// Only the leg at the eye is looked at.
     EYE_LEG "eye-leg"
-        "Cards between the mirror and the lamp are not found. A path by a mirror has two \
-         legs: from `p` to the mirror, and from there to `x`.";
+        "Cards between the mirror and the lamp are not found. A path by a mirror has \
+         two legs: from `p` to the mirror, and from there to `x`.";
     /// Only the leg at the lamp is looked at.
     LAMP_LEG "lamp-leg"
         "Cards between `p` and the mirror are not found. A path by a mirror has two \
          legs: from `p` to the mirror, and from there to `x`.";
     /// The line from p to the image is tested.
     TO_THE_IMAGE "to-the-image"
-        "Is the line from `p` to the *image* tested against the cards? Beyond the mirror \
-         it runs through the virtual world: cards behind the mirror do not matter, and \
-         the images of the cards in front of it do.";
+        "Is the line from `p` to the *image* tested against the cards? Beyond the \
+         mirror it runs through the virtual world: cards behind the mirror do not \
+         matter, and the images of the cards in front of it do.";
     /// The line from p to x is tested.
     STRAIGHT "straight"
         "Is the straight line from `p` to `x` tested? Light goes by way of the mirror.";
@@ -96,8 +96,8 @@ bugs! {
         "Is the reflectance missing? Each reflection keeps the share ρ.";
     /// L + 1 or L − 1 levels.
     OFF_BY_ONE "off-by-one"
-        "The numbers are those of another level. Level 0 is the lamp alone, level 1 adds \
-         the two images next to it.";
+        "The numbers are those of another level. Level 0 is the lamp alone, level 1 \
+         adds the two images next to it.";
     /// The lamp is counted twice.
     LAMP_TWICE "lamp-twice"
         "Was the lamp itself counted twice? It has one place, its images of each level \

@@ -23,7 +23,7 @@ struct Path {
 }
 
 impl Path {
-    /// A path that hits the mirror at this share of the way from its middle to a corner.
+    /// A path that hits the mirror so far on the way from its middle to a corner.
     fn draw(stream: &mut Stream, reach: f64, side: f64) -> Path {
         let place = Place::draw(stream);
         let mirror = convex(stream);

@@ -129,7 +129,7 @@ fn judge(work: &Work, scenes: &[Scene]) -> Verdict {
         let heights: Vec<String> =
             s.corners.iter().map(|&c| format!("{:.3}", s.mirror.height(c))).collect();
         format!(
-            "corners at heights {}: {} corners in the image, {} are due; a moment of it",
+            "corners at heights {}: {} corners in the image, {} are due; a moment",
             heights.join(", "),
             (work.image_of)(s.mirror, &s.corners).len(),
             image_of(s).len()

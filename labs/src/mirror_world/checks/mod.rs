@@ -1,9 +1,9 @@
 //! The checks of this lab.
 //!
-//! Outlines are told apart by two moments, Σ vₖ × vₖ₊₁ and Σ (vₖ × vₖ₊₁) u·(vₖ + vₖ₊₁): they
-//! do not change with the first corner, nor when a corner is added on an edge, and both
-//! change sign with the order. Everything is exact, so that tolerances are those of
-//! rounding: 1e-9 of coordinates of a few metres, 1e-7 of form factors near 0.01.
+//! Outlines are told apart by two moments, Σ vₖ × vₖ₊₁ and Σ (vₖ × vₖ₊₁) u·(vₖ + vₖ₊₁).
+//! They do not change with the first corner, nor when a corner is added on an edge, and
+//! both change sign with the order. Everything is exact, so that tolerances are those
+//! of rounding: 1e-9 of coordinates of a few metres, 1e-7 of form factors near 0.01.
 
 mod cards;
 mod factors;

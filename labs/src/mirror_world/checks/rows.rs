@@ -8,7 +8,7 @@ use crate::draw::uniform;
 use radiosity::random::Stream;
 use std::f64::consts::PI;
 
-/// The factor to image `k`, in strips: of a rectangle from the axis outwards it is known.
+/// The factor to image `k`, of rectangles with a corner on the axis:
 ///
 /// ```text
 /// F = 1/2π (a/√(1 + a²) atan(b/√(1 + a²)) + b/√(1 + b²) atan(a/√(1 + b²)))
@@ -67,7 +67,7 @@ pub(super) fn levels(work: &Work, stream: &mut Stream) -> Verdict {
     judge(work, &drawn, &expected, Within::Absolute(1e-9))
 }
 
-/// Perfect mirrors: the images make a strip without end, |y| ≤ ½ at the height 1, and of
+/// Perfect mirrors: the images make a strip without end, |y| ≤ ½ at the height 1; of
 /// that ½/√(½² + 1²) = 1/√5 is seen. What lies beyond L is 2/(3π L³): 3e-8 for 200.
 pub(super) fn limit(work: &Work, _: &mut Stream) -> Verdict {
     let drawn = [(1.0, 200), (0.9, 200), (0.5, 200)];

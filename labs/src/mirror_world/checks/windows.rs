@@ -100,8 +100,8 @@ fn judge(work: &Work, views: &[View]) -> Verdict {
     let place = |k: usize| {
         let v = &views[k / 6];
         format!(
-            "eye {:.3} before the window, {} corners beyond: {} corners are seen, {} are \
-             due; a moment of the outline",
+            "eye {:.3} before the window, {} corners beyond: {} corners are seen, {} \
+             are due; a moment of the outline",
             plane(&v.window).height(v.eye),
             v.heights().filter(|&h| h < 0.0).count(),
             (work.through)(v.eye, &v.window, &v.corners).len(),

@@ -20,7 +20,7 @@ fn system(case: &Value) -> (Enclosure, Matrix) {
     let row = |factors: &Value| {
         let factors = numbers(factors);
         let escaped = (1.0 - factors.iter().sum::<f64>()).max(0.0);
-        Row::of(&factors, Lost { escaped, absorbed: 0.0 })
+        Row::of(&factors, Lost { escaped, ..Lost::default() })
     };
     let rows = case["F"].as_array().unwrap().iter().map(row).collect();
     let splat = |key: &str| numbers(&case[key]).into_iter().map(Rgb::splat).collect();

@@ -18,13 +18,8 @@ pub struct Backs {
 impl Backs {
     /// Those of a mesh.
     pub fn of(scene: &Scene, mesh: &Mesh) -> Backs {
-        let mut of_surface: Vec<Vec<u32>> = vec![Vec::new(); scene.surfaces.len()];
         let sided = |e: &Element| scene.surfaces[mesh.surface_of(e) as usize].back;
-        for (k, element) in (0u32..).zip(&mesh.elements) {
-            if sided(element).is_some() {
-                of_surface[mesh.surface_of(element) as usize].push(k);
-            }
-        }
+        let of_surface = mesh.elements_with_backs(scene);
         let mut done = vec![false; mesh.vertices.len()];
         let mut shares = Vec::new();
         for element in &mesh.elements {
@@ -34,7 +29,9 @@ impl Backs {
                     continue;
                 }
                 let at = mesh.vertices[corner as usize];
-                let other = mesh.nearest_of(&of_surface[back as usize], at);
+                // A hair inside: on this side of the lines where others touch the face.
+                let inside = at.lerp(element.polygon.centroid(), 1e-3);
+                let other = mesh.nearest_of(&of_surface[back as usize], inside);
                 let Some(other) = other.map(|k| &mesh.elements[k as usize]) else {
                     continue;
                 };
@@ -65,6 +62,36 @@ impl Backs {
 }
 
 impl Mesh {
+    /// Marks for splitting, of faces with two sides, what lies behind all that is marked: so
+    /// that the light of either side is shown on elements that suit it.
+    pub fn mark_backs(&self, scene: &Scene, marks: &mut [bool]) {
+        if scene.surfaces.iter().all(|s| s.back.is_none()) {
+            return;
+        }
+        let of_surface = self.elements_with_backs(scene);
+        let marked: Vec<usize> = (0..marks.len()).filter(|&k| marks[k]).collect();
+        for element in marked.into_iter().map(|k| &self.elements[k]) {
+            let back = scene.surfaces[self.surface_of(element) as usize].back;
+            let Some(back) = back else { continue };
+            let at = element.polygon.centroid();
+            if let Some(other) = self.nearest_of(&of_surface[back as usize], at) {
+                marks[other as usize] = true;
+            }
+        }
+    }
+
+    /// For each surface that has another side its elements; none for the others.
+    fn elements_with_backs(&self, scene: &Scene) -> Vec<Vec<u32>> {
+        let mut of_surface: Vec<Vec<u32>> = vec![Vec::new(); scene.surfaces.len()];
+        for (k, element) in (0u32..).zip(&self.elements) {
+            let surface = self.surface_of(element) as usize;
+            if scene.surfaces[surface].back.is_some() {
+                of_surface[surface].push(k);
+            }
+        }
+        of_surface
+    }
+
     /// Of some elements of one surface, the one that holds `p`, or comes nearest to it.
     pub fn nearest_of(&self, elements: &[u32], p: DVec3) -> Option<u32> {
         let outside = |k: u32| self.elements[k as usize].polygon.distance_outside(p);

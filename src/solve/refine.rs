@@ -15,6 +15,7 @@
 
 use crate::geometry::Rgb;
 use crate::mesh::{Element, Mesh};
+use crate::scene::Scene;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -33,6 +34,7 @@ pub(super) enum Ask {
 
 /// How light is made linear between corners.
 pub(super) struct Refinement<'a> {
+    pub scene: &'a Scene,
     pub light: Light<'a>,
     /// `ρ` of an element.
     pub reflectance: &'a (dyn Fn(&Element) -> Rgb + Sync),
@@ -107,6 +109,7 @@ impl Refinement<'_> {
             if !marks.contains(&true) {
                 return (mesh, light);
             }
+            mesh.mark_backs(self.scene, &mut marks);
             mesh = mesh.split(&marks);
             self.ask_vertices(&mesh, &mut asked, &mut light);
         }

@@ -153,6 +153,7 @@ impl Lamps<'_> {
         let on: Vec<_> =
             mesh.elements.par_iter().map(|e| self.direct.on(&e.polygon)).collect();
         Refinement {
+            scene: self.scene,
             light: &|e, at| on[e.patch.0 as usize].irradiance(at),
             reflectance: &|e| scattered(self.scene, mesh, e),
             ask: Ask::All,
@@ -221,6 +222,7 @@ fn reflected_light(
     }
     let shone = system.reflected_slopes(&before);
     let finer = Refinement {
+        scene,
         light: &|e, at| {
             looks.fetch_add(1, Ordering::Relaxed);
             system.seen_from(at, e.polygon.normal()).irradiance(&shone)

@@ -131,6 +131,7 @@ fn far_from_reciprocal_no_bound_is_given() {
         area: vec![100.0, 1.0],
         emission: vec![Rgb::ZERO, Rgb::ONE],
         reflectance: vec![Rgb::splat(0.5); 2],
+        ..Default::default()
     };
     let row = |j| Row::new(vec![(j, 1.0)], Lost::default());
     let factors = Matrix::from_rows(vec![row(1), row(0)]);

@@ -217,6 +217,7 @@ fn row_54_a_sweep_depends_on_the_order() {
         area: enclosure.area.iter().rev().copied().collect(),
         emission: of(&enclosure.emission),
         reflectance: of(&enclosure.reflectance),
+        ..Default::default()
     };
     let after = |sweeps: usize| {
         let mut there = GaussSeidel::new(&enclosure, &matrix);

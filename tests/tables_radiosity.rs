@@ -28,6 +28,7 @@ fn system(case: &Value) -> (Enclosure, Matrix) {
         area: numbers(&case["areas"]),
         emission: splat("E"),
         reflectance: splat("rho"),
+        ..Default::default()
     };
     (enclosure, Matrix::from_rows(rows))
 }

@@ -146,6 +146,7 @@ fn furnaces_of_any_shape() {
                 area,
                 emission: vec![Rgb::splat(PI * le); n],
                 reflectance: vec![Rgb::splat(rho); n],
+                ..Default::default()
             };
             let radiance = expected["radiance"].as_f64().unwrap();
             for b in gathered(&enclosure, &matrix, 1e-14, 10_000) {
@@ -183,6 +184,7 @@ fn a_lossless_reflector_vanishes_in_a_furnace() {
                 area,
                 emission: vec![Rgb::splat(PI * le); n],
                 reflectance: vec![Rgb::splat(rho); n],
+                ..Default::default()
             };
             (enclosure.emission[0], enclosure.reflectance[0]) = (Rgb::ZERO, Rgb::ONE);
             let mut solver = GaussSeidel::new(&enclosure, &matrix);

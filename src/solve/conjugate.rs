@@ -17,7 +17,8 @@ use crate::geometry::Rgb;
 /// ⟨x, Fρ y⟩ = Σ_ij (ρ_i x_i) A_i F_ij (ρ_j y_j) = ⟨Fρ x, y⟩     as A_i F_ij = A_j F_ji
 /// ```
 /// Black elements weigh nothing: they take no part, and what arrives at them follows from
-/// the others. In this product the eigenvalues of `1 − Fρ` lie within `1 ± ρ_max`, and the
+/// the others. Where light goes through sheets, this product need not be positive: there a
+/// step is a bounce, as in [`super::Jacobi`]. In this product the eigenvalues of `1 − Fρ` lie within `1 ± ρ_max`, and the
 /// error falls by `q = (1 − √(1 − ρ_max²)) / ρ_max` a step or better: at ρ = 0.99 by 0.868,
 /// where a bounce leaves 0.99. Steps grow as `1/√(1 − ρ)`.
 ///
@@ -82,6 +83,12 @@ impl Iterator for ConjugateGradients<'_> {
     fn next(&mut self) -> Option<Step> {
         if self.done {
             return None;
+        }
+        if self.enclosure.is_translucent() {
+            self.radiosity = lit(self.enclosure, &self.irradiance);
+            self.irradiance = transport(self.factors, &self.radiosity);
+            let (b, h) = (&self.radiosity, &self.irradiance);
+            return Some(step(self.enclosure, self.factors, b, h));
         }
         // ANCHOR: conjugate
         let change = self.applied(&self.direction);

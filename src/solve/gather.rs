@@ -18,10 +18,11 @@ pub fn transport(factors: &Matrix, radiosity: &[Rgb]) -> Vec<Rgb> {
     rows.map(|row| arriving(row.factors(), radiosity)).collect()
 }
 
-/// `E + ρ H`, W/m², per element.
+/// `E + ρ H + τ H_back`, W/m², per element.
 pub fn lit(enclosure: &Enclosure, irradiance: &[Rgb]) -> Vec<Rgb> {
-    let Enclosure { emission, reflectance, .. } = enclosure;
-    (0..emission.len()).map(|i| emission[i] + reflectance[i] * irradiance[i]).collect()
+    let Enclosure { emission: e, reflectance: rho, .. } = enclosure;
+    let of = |i: usize| e[i] + rho[i] * irradiance[i] + enclosure.passed(i, irradiance);
+    (0..e.len()).map(of).collect()
 }
 // ANCHOR_END: balance
 

@@ -48,12 +48,20 @@ impl<'a> GaussSeidel<'a> {
         (0..n).map(|i| arriving(self.halves(i)[1], &self.radiosity)).collect()
     }
 
+    /// `τ H_back` by the newest radiosities.
+    fn passed(&self, i: usize) -> Rgb {
+        let Some(Some(t)) = self.enclosure.through.get(i) else { return Rgb::ZERO };
+        let row = self.factors.rows()[t.back.0 as usize].factors();
+        t.transmittance * arriving(row, &self.radiosity)
+    }
+
     // ANCHOR: sweep
     fn sweep(&mut self) {
         for i in 0..self.radiosity.len() {
             let (e, rho) = (self.enclosure.emission[i], self.enclosure.reflectance[i]);
             let earlier = arriving(self.halves(i)[0], &self.radiosity);
-            self.radiosity[i] = e + rho * (earlier + self.later[i]);
+            let passed = self.passed(i);
+            self.radiosity[i] = e + rho * (earlier + self.later[i]) + passed;
             self.irradiance[i] = earlier;
         }
         self.later = self.gather_later();

@@ -16,7 +16,7 @@ use crate::geometry::Rgb;
 pub struct Ledger {
     /// `Σ A E`.
     pub emitted: Rgb,
-    /// `Σ A (1 − ρ) H`, and what falls on black backs or is cut off; less what mirrors and
+    /// `Σ A (1 − ρ − τ) H`, and what falls on black backs or is cut off; less what mirrors and
     /// panes send on.
     pub absorbed: Rgb,
     /// What leaves the scene, as the factors' method counts it.
@@ -38,8 +38,8 @@ impl Ledger {
     ) -> Ledger {
         // ANCHOR: draw_up
         let emitted = enclosure.power(enclosure.emission.iter().copied());
-        let kept = enclosure.reflectance.iter().zip(irradiance);
-        let absorbed = enclosure.power(kept.map(|(&rho, &h)| (Rgb::ONE - rho) * h));
+        let kept = |(i, &h): (usize, &Rgb)| (Rgb::ONE - enclosure.scattered(i)) * h;
+        let absorbed = enclosure.power(irradiance.iter().enumerate().map(kept));
         let absorbed = absorbed + lost.absorbed;
         let unshot = enclosure.power(residual.iter().copied());
         let imbalance = emitted - absorbed - lost.escaped - unshot;

@@ -1,7 +1,7 @@
 //! Solving the radiosity equation, with an account of where the light went.
 //!
 //! ```text
-//! B_i = E_i + ρ_i Σ_j F_ij B_j                             gathering, W/m²
+//! B_i = E_i + ρ_i H_i + τ_i H_back(i),   H_i = Σ_j F_ij B_j      gathering, W/m²
 //! A_i B_i = A_i E_i + ρ_i Σ_j F_ji A_j B_j                 the same as power, W
 //! emitted = absorbed + escaped + unshot + imbalance        the ledger, W
 //! ```
@@ -61,11 +61,11 @@ pub use substructure::{OnElements, Oracle, Sees, Substructure};
 pub use unbiased::{Gathered, gather_unbiased};
 
 use crate::geometry::Rgb;
-use crate::mesh::Mesh;
+use crate::mesh::{ElementId, Mesh};
 use crate::scene::Scene;
 
 /// The knowns of the radiosity equation but for the form factors.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Enclosure {
     // ANCHOR: knowns
     /// `A_i`, scene units squared.
@@ -75,6 +75,17 @@ pub struct Enclosure {
     /// `ρ_i`, diffuse reflectance, in `[0, 1)`.
     pub reflectance: Vec<Rgb>,
     // ANCHOR_END: knowns
+    /// Of elements that let light through diffusely, the other side; empty: none does.
+    pub through: Vec<Option<Through>>,
+}
+
+/// What an element lets through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Through {
+    /// `τ`, diffuse transmittance, in `[0, 1)`; with `ρ` less than 1.
+    pub transmittance: Rgb,
+    /// The element in the same place that looks the other way.
+    pub back: ElementId,
 }
 
 impl Enclosure {
@@ -87,7 +98,27 @@ impl Enclosure {
             area: mesh.elements.iter().map(|e| e.polygon.area()).collect(),
             emission: mesh.elements.iter().map(|e| material(e).emission()).collect(),
             reflectance: mesh.elements.iter().map(|e| material(e).diffuse()).collect(),
+            through: through(scene, mesh),
         }
+    }
+
+    /// Does any element let light through?
+    pub fn is_translucent(&self) -> bool {
+        !self.through.is_empty()
+    }
+
+    // ANCHOR: passed
+    /// `τ_i H_back(i)`, W/m²: what comes through element `i` from its other side.
+    pub fn passed(&self, i: usize, irradiance: &[Rgb]) -> Rgb {
+        let through = self.through.get(i).copied().flatten();
+        through.map_or(Rgb::ZERO, |t| t.transmittance * irradiance[t.back.0 as usize])
+    }
+    // ANCHOR_END: passed
+
+    /// `ρ_i + τ_i`: the share of what arrives that leaves again, on either side.
+    pub fn scattered(&self, i: usize) -> Rgb {
+        let through = self.through.get(i).copied().flatten();
+        self.reflectance[i] + through.map_or(Rgb::ZERO, |t| t.transmittance)
     }
 
     /// The same room under other lamps: `emission` in W/m², per element. Form factors know
@@ -108,9 +139,9 @@ impl Enclosure {
         self.area.is_empty()
     }
 
-    /// `ρ_max`, per channel.
+    /// `max (ρ + τ)`, per channel.
     pub fn largest_reflectance(&self) -> Rgb {
-        self.reflectance.iter().fold(Rgb::ZERO, |m, &rho| m.max(rho))
+        (0..self.len()).fold(Rgb::ZERO, |m, i| m.max(self.scattered(i)))
     }
 
     /// `Σ A_i x_i`: a radiosity summed to power, W.
@@ -132,4 +163,22 @@ impl Enclosure {
         let ratio = |k: usize| if r[k] == 0.0 { 0.0 } else { (r[k] / scale[k]).sqrt() };
         (0..3).map(ratio).fold(0.0, f64::max)
     }
+}
+
+/// For each element of a translucent face its other side; empty if there is none.
+fn through(scene: &Scene, mesh: &Mesh) -> Vec<Option<Through>> {
+    let mut of_surface: Vec<Vec<u32>> = vec![Vec::new(); scene.surfaces.len()];
+    for (k, element) in (0u32..).zip(&mesh.elements) {
+        of_surface[mesh.surface_of(element) as usize].push(k);
+    }
+    let of = |element: &crate::mesh::Element| {
+        let surface = &scene.surfaces[mesh.surface_of(element) as usize];
+        let transmittance = scene.material(surface).translucence();
+        let twins = &of_surface[surface.back? as usize];
+        let back = mesh.nearest_of(twins, element.polygon.centroid())?;
+        let found = Through { transmittance, back: ElementId(back) };
+        (transmittance != Rgb::ZERO).then_some(found)
+    };
+    let all: Vec<Option<Through>> = mesh.elements.iter().map(of).collect();
+    if all.iter().any(Option::is_some) { all } else { Vec::new() }
 }

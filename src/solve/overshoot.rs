@@ -69,23 +69,32 @@ impl<'a> Overshoot<'a> {
 
     /// The irradiance `a` that an element is to expect, W/m².
     fn expected(&self) -> Rgb {
-        let Enclosure { area, reflectance, .. } = self.shoot.enclosure;
+        let enclosure = self.shoot.enclosure;
+        let scattered: Vec<Rgb> =
+            (0..enclosure.len()).map(|i| enclosure.scattered(i)).collect();
         let power = |x: &[Rgb]| self.shoot.enclosure.power(x.iter().copied());
         // ANCHOR: expected
         let unshot = power(self.shoot.unshot());
         let sent = (power(self.shoot.radiosity()) - unshot).element_sum();
         let lost = self.shoot.lost().element_sum();
         let kept = if sent > 0.0 { (1.0 - lost / sent).clamp(0.0, 1.0) } else { 1.0 };
-        kept * unshot / (area.iter().sum::<f64>() - kept * power(reflectance))
+        let area: f64 = enclosure.area.iter().sum();
+        kept * unshot / (area - kept * power(&scattered))
         // ANCHOR_END: expected
+    }
+
+    /// Where light goes through sheets, `M` need not be positive: then nothing is sent that
+    /// is not there.
+    fn safe(&self) -> f64 {
+        if self.shoot.enclosure.is_translucent() { 1.0 } else { Overshoot::SAFE }
     }
 
     // ANCHOR: amount
     /// `δ_i`, W/m².
     fn amount(&self, i: usize, expected: Rgb) -> Rgb {
         let unshot = self.shoot.unshot()[i];
-        let wanted = unshot + self.shoot.enclosure.reflectance[i] * expected;
-        let most = Overshoot::SAFE * unshot;
+        let wanted = unshot + self.shoot.enclosure.scattered(i) * expected;
+        let most = self.safe() * unshot;
         wanted.clamp(most.min(Rgb::ZERO), most.max(Rgb::ZERO))
     }
     // ANCHOR_END: amount

@@ -98,8 +98,9 @@ impl<'a> Shoot<'a> {
     /// blind to walls.
     pub fn ambient(&self) -> Rgb {
         // ANCHOR: ambient
-        let reflectance = self.enclosure.reflectance.iter();
-        let kept = self.enclosure.power(reflectance.map(|&rho| Rgb::ONE - rho));
+        let all = 0..self.enclosure.len();
+        let kept = all.map(|i| Rgb::ONE - self.enclosure.scattered(i));
+        let kept = self.enclosure.power(kept);
         let unshot = self.enclosure.power(self.unshot.iter().copied());
         unshot / kept
         // ANCHOR_END: ambient
@@ -109,8 +110,8 @@ impl<'a> Shoot<'a> {
     /// light that is still under way, **for display only**: never part of the solution.
     pub fn with_ambient(&self) -> Vec<Rgb> {
         let ambient = self.ambient();
-        let lit = self.radiosity.iter().zip(&self.enclosure.reflectance);
-        lit.map(|(&b, &rho)| b + rho * ambient).collect()
+        let lit = self.radiosity.iter().enumerate();
+        lit.map(|(i, &b)| b + self.enclosure.scattered(i) * ambient).collect()
     }
 
     /// Element `from` shoots `amount` of radiosity, W/m², whoever is the brightest: of
@@ -129,6 +130,11 @@ impl<'a> Shoot<'a> {
             self.irradiance[j] += arriving;
             self.radiosity[j] += reflected;
             self.unshot[j] += reflected;
+            if let Some(Some(through)) = self.enclosure.through.get(j) {
+                let passed = through.transmittance * arriving;
+                self.radiosity[through.back.0 as usize] += passed;
+                self.unshot[through.back.0 as usize] += passed;
+            }
         }
         // ANCHOR_END: send
         let (irradiance, unshot) = (&self.irradiance, &self.unshot);

@@ -1,7 +1,7 @@
 //! What all solvers have in common: a step, a residual, and a bound to stop by.
 
 use super::{Enclosure, Ledger};
-use crate::form_factor::Matrix;
+use crate::form_factor::{Matrix, Row};
 use crate::geometry::Rgb;
 use crate::mesh::ElementId;
 
@@ -115,12 +115,19 @@ const ROUNDS: usize = 4;
 /// `(ρF)°ρF x`.
 fn there_and_back(enclosure: &Enclosure, factors: &Matrix, x: &[Rgb]) -> Vec<Rgb> {
     let Enclosure { area, reflectance, .. } = enclosure;
+    let arriving = |row: &Row| -> Rgb {
+        row.factors().iter().map(|&(j, f)| f.abs() * x[j as usize]).sum()
+    };
+    // Reflecting and letting through is its own adjoint: done there, and done back.
+    let scattered = |h: Vec<Rgb>| -> Vec<Rgb> {
+        let of = |i: usize| reflectance[i] * h[i] + enclosure.passed(i, &h);
+        (0..h.len()).map(of).collect()
+    };
+    let sent = scattered(scattered(factors.rows().iter().map(arriving).collect()));
     let mut back = vec![Rgb::ZERO; x.len()];
-    for (i, row) in factors.rows().iter().enumerate() {
+    for ((row, &sent), &area) in factors.rows().iter().zip(&sent).zip(area) {
         let row = row.factors();
-        let arrives: Rgb = row.iter().map(|&(j, f)| f.abs() * x[j as usize]).sum();
-        let sent = area[i] * reflectance[i] * reflectance[i] * arrives;
-        row.iter().for_each(|&(j, f)| back[j as usize] += f.abs() * sent);
+        row.iter().for_each(|&(j, f)| back[j as usize] += f.abs() * area * sent);
     }
     back.iter().zip(area).map(|(&back, &area)| back / area).collect()
 }

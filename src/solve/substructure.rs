@@ -159,6 +159,7 @@ impl<'a> Substructure<'a> {
             area: patches.iter().map(|p| self.mesh.patch_area(p)).collect(),
             emission: patches.iter().map(|p| material(p).emission()).collect(),
             reflectance: patches.iter().map(|p| material(p).diffuse()).collect(),
+            ..Enclosure::default()
         }
     }
 

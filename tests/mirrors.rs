@@ -222,3 +222,69 @@ fn no_light_comes_through_the_back_of_a_mirror() {
         assert_eq!(factor(&world, DVec3::ZERO, &spot(), &lamp()), Rgb::ZERO);
     }
 }
+
+/// A square of four perfect mirrors below the lamp that is their lid.
+fn kaleidoscope(share: f64) -> (Scene, Polygon) {
+    let lamp = lamp();
+    let walls = common::rooms::box_walls([1.0; 3]);
+    let by = -dvec3(0.5, 0.5, 0.0);
+    let walls = walls[..4].iter().map(|w| common::rooms::moved(w, |v| v + by));
+    let faces = [(spot(), diffuse(0.0, 0.5)), (lamp.clone(), diffuse(1.0, 0.0))];
+    let walls = walls.map(|w| (w, mirror(share)));
+    (scene_of(faces.into_iter().chain(walls)), lamp)
+}
+
+fn kaleidoscope_by_level(share: f64, levels: u32) -> Vec<f64> {
+    let (scene, lamp) = kaleidoscope(share);
+    let world = VirtualWorld::of(&scene, 0);
+    let found = world.factors_by_level(DVec3::ZERO, DVec3::Z, &lamp, levels);
+    let sums = found.iter().scan(0.0, |sum, f| {
+        *sum += f.x;
+        Some(*sum)
+    });
+    sums.collect()
+}
+
+/// Four perfect mirrors: everything is lamp, `F → 1`, and `1.6/L²` of it is missing: 1e-5
+/// after 410 levels, or after 200 when what is missing is extrapolated by that law.
+#[test]
+fn a_kaleidoscope_is_all_lamp_in_the_end() {
+    let sums = kaleidoscope_by_level(1.0, 410);
+    for (level, missing) in [(1, 0.423), (2, 0.209), (4, 0.075), (8, 0.022)] {
+        let missed = 1.0 - sums[level];
+        assert!((missed - missing).abs() < 6e-4, "{level}: {missed}");
+    }
+    assert!((sums[1] - 0.576871128).abs() < 1e-9);
+    for level in [50, 100, 200, 400] {
+        let law = (1.0 - sums[level]) * (level as f64).powi(2);
+        assert!((law - 1.6).abs() < 0.1, "{level}: {law}");
+    }
+    assert!(1.0 - sums[410] < 1e-5, "{:e}", 1.0 - sums[410]);
+    let law = sums[200] + (sums[200] - sums[100]) / 3.0;
+    assert!((law - 1.0).abs() < 1e-5, "{law}");
+}
+
+#[test]
+fn a_dim_kaleidoscope_converges_like_its_mirrors() {
+    let sums = kaleidoscope_by_level(0.5, 60);
+    let limit = 0.4767644247;
+    for (level, missing) in [(1, 14.4), (2, 3.2), (4, 0.22)] {
+        let missed = 100.0 * (1.0 - sums[level] / limit);
+        assert!((missed - missing).abs() < 0.051, "{level}: {missed}");
+    }
+    assert!((sums[60] - limit).abs() < 1e-10);
+}
+
+/// Beams that are joined see what all chains see one by one.
+#[test]
+fn joined_beams_see_what_chains_see() {
+    let (scene, lamp) = kaleidoscope(0.9);
+    let world = VirtualWorld::of(&scene, 5);
+    let all = 1 + 4 * (1 + 3 + 9 + 27 + 81);
+    assert!((200..all).contains(&world.images().len())); // some chains cannot be
+    let chains = factor(&world, DVec3::ZERO, &spot(), &lamp).x;
+    let x = DVec3::ZERO;
+    let beams = world.factors_by_level(x, DVec3::Z, &lamp, 5);
+    let beams: Rgb = beams.iter().sum();
+    assert!((chains - beams.x).abs() < 1e-12, "{chains} {beams}");
+}

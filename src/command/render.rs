@@ -143,6 +143,7 @@ impl Render {
         }
         let Passes::Radiosity = self.method;
         let how = How {
+            levels: None,
             tolerance: self.tolerance,
             form_factors: FactorMethod::Auto,
             samples: None,

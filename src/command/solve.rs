@@ -42,6 +42,9 @@ pub struct How {
     /// Rays from each element, with `--form-factors sampling` [default: 4096]
     #[arg(long, value_name = "N")]
     pub samples: Option<usize>,
+    /// Reflections in flat mirrors that are followed, with gather or shoot [default: 1]
+    #[arg(long, value_name = "N")]
+    pub levels: Option<u32>,
     /// How the equation is solved
     #[arg(long, value_enum, default_value_t = SolverMethod::Auto)]
     pub method: SolverMethod,
@@ -109,10 +112,14 @@ impl How {
         let rays = samples(self.samples, self.form_factors)?.unwrap_or(RAYS);
         let method = match (self.method, self.form_factors) {
             (SolverMethod::Auto, FactorMethod::Auto) => {
+                self.no_levels()?;
                 return Ok(Way::Planned(Ask { tolerance, seed, ..Ask::default() }));
             }
             (SolverMethod::Gather, _) => Method::Gather,
-            (SolverMethod::Hierarchy, _) => Method::Hierarchy,
+            (SolverMethod::Hierarchy, _) => {
+                self.no_levels()?;
+                Method::Hierarchy
+            }
             (SolverMethod::Auto | SolverMethod::Shoot, _) => Method::Shoot,
         };
         let factors = match self.form_factors {
@@ -127,8 +134,21 @@ impl How {
             factors,
             tolerance,
             seed,
+            levels: self.levels.unwrap_or(Options::default().levels),
             ..Options::default()
         }))
+    }
+
+    /// Refuses `--levels` where nobody counts them.
+    fn no_levels(&self) -> Result<(), Refusal> {
+        match self.levels {
+            None => Ok(()),
+            Some(_) => Err(Refusal(
+                "--levels counts reflections for --method gather or shoot; other methods \
+                 follow rays; choose one of these two, or leave it out"
+                    .into(),
+            )),
+        }
     }
 }
 

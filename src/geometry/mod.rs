@@ -18,6 +18,7 @@
 mod polygon;
 mod split;
 
+pub(crate) use polygon::newell;
 pub use polygon::{Outline, Polygon, PolygonError, clip, clip_into};
 pub use split::{MAX_CORNERS, split};
 

@@ -12,6 +12,9 @@ use crate::form_factor::{Cached, FormFactors};
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
+use crate::virtual_world::{
+    ExtendedAnalytic, ExtendedCast, ExtendedHemicube, VirtualWorld,
+};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// How the equation is solved.
@@ -60,6 +63,8 @@ pub struct Options {
     pub most_elements: usize,
     /// Names the random streams.
     pub seed: u64,
+    /// How many reflections in flat mirrors are followed: one, as in the lecture.
+    pub levels: u32,
 }
 
 impl Default for Options {
@@ -70,6 +75,7 @@ impl Default for Options {
             tolerance: 0.01,
             most_elements: 4000,
             seed: 0,
+            levels: 1,
         }
     }
 }
@@ -146,21 +152,21 @@ pub fn solve_on(
 ) -> Solution {
     let enclosure = Enclosure::of(scene, &mesh);
     let n = mesh.elements.len();
-    let method: Box<dyn FormFactors + '_> = match options.factors {
-        Factors::Analytic => {
-            let tolerance = 0.02 / n as f64;
-            Box::new(Analytic::new(scene, &mesh, tolerance, options.seed).sharp())
-        }
-        Factors::Sampling(rays) => Box::new(Cast::new(&mesh, rays, options.seed)),
-        Factors::Hemicube(resolution) => Box::new(Hemicube::new(&mesh, resolution)),
-    };
+    let world = VirtualWorld::of(scene, options.levels);
     let solve_by = match options.method {
         Method::Gather | Method::Hierarchy => gather,
         Method::Shoot => shoot,
     };
-    let Light { radiosity, irradiance, displayed, last, steps } =
-        solve_by(&enclosure, method.as_ref(), options, progress);
-    drop(method);
+    let solved = |channel: usize| {
+        let method = method_of(scene, &mesh, &world, channel, options);
+        solve_by(&enclosure, method.as_ref(), options, progress)
+    };
+    // Coloured mirrors: other factors for each colour.
+    let light = match world.is_grey() {
+        true => solved(0),
+        false => Light::of_channels([0, 1, 2].map(solved)),
+    };
+    let Light { radiosity, irradiance, displayed, last, steps } = light;
     let vertex_radiosity = mesh.vertex_values(&radiosity);
     progress("certifying", 0, 1);
     let field = |id, x| mesh.value_at(mesh.element(id), x, &vertex_radiosity);
@@ -179,6 +185,37 @@ pub fn solve_on(
         steps,
         certificate,
         converged: certificate.high <= options.tolerance,
+    }
+}
+
+/// The form factors that are asked for: extended ones where there is a mirror or a pane.
+fn method_of<'a>(
+    scene: &Scene,
+    mesh: &'a Mesh,
+    world: &'a VirtualWorld,
+    channel: usize,
+    options: &Options,
+) -> Box<dyn FormFactors + 'a> {
+    let (seed, tolerance) = (options.seed, 0.02 / mesh.elements.len() as f64);
+    if world.is_empty() {
+        return match options.factors {
+            Factors::Analytic => {
+                Box::new(Analytic::new(scene, mesh, tolerance, seed).sharp())
+            }
+            Factors::Sampling(rays) => Box::new(Cast::new(mesh, rays, seed)),
+            Factors::Hemicube(resolution) => Box::new(Hemicube::new(mesh, resolution)),
+        };
+    }
+    match options.factors {
+        Factors::Analytic => Box::new(ExtendedAnalytic::new(
+            scene, mesh, world, channel, tolerance, seed,
+        )),
+        Factors::Sampling(rays) => {
+            Box::new(ExtendedCast::new(mesh, world, channel, rays, seed))
+        }
+        Factors::Hemicube(resolution) => {
+            Box::new(ExtendedHemicube::new(mesh, world, channel, resolution))
+        }
     }
 }
 
@@ -229,6 +266,40 @@ struct Light {
     displayed: Vec<Rgb>,
     last: Step,
     steps: usize,
+}
+
+impl Light {
+    /// Of each of three solutions one channel.
+    fn of_channels(all: [Light; 3]) -> Light {
+        let [red, green, blue] = &all;
+        let one = |x: Rgb, y: Rgb, z: Rgb| Rgb::new(x.x, y.y, z.z);
+        let merged = |of: &dyn Fn(&Light) -> &[Rgb]| -> Vec<Rgb> {
+            let pairs = of(red).iter().zip(of(green)).zip(of(blue));
+            pairs.map(|((&x, &y), &z)| one(x, y, z)).collect()
+        };
+        let ledger = |of: fn(&Ledger) -> Rgb| {
+            let [x, y, z] = [red, green, blue].map(|light| of(&light.last.ledger));
+            one(x, y, z)
+        };
+        let worst = |m: f64, light: &Light| m.max(light.last.residual);
+        Light {
+            radiosity: merged(&|light| &light.radiosity),
+            irradiance: merged(&|light| &light.irradiance),
+            displayed: merged(&|light| &light.displayed),
+            last: Step {
+                ledger: Ledger {
+                    emitted: ledger(|l| l.emitted),
+                    absorbed: ledger(|l| l.absorbed),
+                    escaped: ledger(|l| l.escaped),
+                    unshot: ledger(|l| l.unshot),
+                    imbalance: ledger(|l| l.imbalance),
+                },
+                residual: all.iter().fold(0.0, worst),
+                shot: None,
+            },
+            steps: all.iter().map(|light| light.steps).sum(),
+        }
+    }
 }
 
 /// Steps a solver takes at the most, sweeps or shots.

@@ -14,6 +14,10 @@
 //! |-------------------------|----------------------------------------|-----------------------|
 //! | [`VirtualWorld::sights`]| light from some places to many points  | mirrors are curved    |
 //! | [`VirtualWorld::exchange`] | factors between areas             | panes: 1e-4 at best   |
+//! | [`VirtualWorld::factors_by_level`] | many levels at one point  | there are panes       |
+//! | [`ExtendedAnalytic`]    | factors must be right                  | elements are many     |
+//! | [`ExtendedHemicube`]    | rows are due, quickly                  | mirrors are many      |
+//! | [`ExtendedCast`]        | nothing may be assumed                 | never; 1/√rays        |
 //! | [`Image`]               | one chain of mirrors is to be looked at| the same              |
 //!
 //! A pane is a mirror on both sides, and a veil that weakens what passes: by angle.
@@ -25,6 +29,7 @@
 
 mod books;
 mod cast;
+mod deep;
 mod exact;
 mod exchange;
 mod hemicube;
@@ -202,6 +207,38 @@ impl VirtualWorld {
     /// Is there no mirror and no pane?
     pub fn is_empty(&self) -> bool {
         self.mirrors.is_empty()
+    }
+
+    /// An upper bound of the irradiance, W/m², that all levels which are left out would add
+    /// anywhere, per channel: `brightest` is the largest radiosity of any surface.
+    ///
+    /// ```text
+    /// ΔH ≤ B_max F_window (k^(L+1) + k^(L+2) + …) = B_max F_window k^(L+1)/(1 − k)
+    /// ```
+    /// with `k` the largest share of a mirror and `F_window` how much of a view mirrors can
+    /// fill: 1 unless one mirror is alone, which never sees itself, and cuts nothing off
+    /// from level 1 on. Perfect mirrors that face each other have no bound: infinite.
+    pub fn cut_bound(&self, brightest: Rgb) -> Rgb {
+        let share = self.mirrors.iter().fold(Rgb::ZERO, |m, x| m.max(x.most()));
+        let faces = |a: &Mirror, b: &Mirror| {
+            let plane = a.outline.plane();
+            b.outline.vertices().iter().any(|&v| plane.height(v) > self.margin)
+        };
+        let meet = |a: &Mirror| self.mirrors.iter().any(|b| faces(a, b) && faces(b, a));
+        if self.mirrors.is_empty() || self.levels > 0 && !self.mirrors.iter().any(meet)
+        {
+            return Rgb::ZERO;
+        }
+        let rest = |k: f64| match k {
+            k if k < 1.0 => k.powi(self.levels as i32 + 1) / (1.0 - k),
+            _ => f64::INFINITY,
+        };
+        let scale = |b: f64, k: f64| if b > 0.0 { b * rest(k) } else { 0.0 };
+        Rgb::new(
+            scale(brightest.x, share.x),
+            scale(brightest.y, share.y),
+            scale(brightest.z, share.z),
+        )
     }
 
     /// Do all mirrors and panes treat the three channels alike?

@@ -180,6 +180,9 @@ pub struct Table {
     pub mean: [Rgb; CLASSES],
     /// Its standard error; 0 where it was not drawn by chance.
     pub error: [Rgb; CLASSES],
+    /// The weight of what was cut where rays went on too long, in the mean over the picture:
+    /// times the largest radiance of the scene it bounds what the table lacks.
+    pub cut: Rgb,
 }
 
 /// A line of a [`Table`].

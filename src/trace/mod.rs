@@ -20,6 +20,7 @@
 //! Kajiya 1986 (path tracing); Whitted 1980 (ray tracing); Heckbert 1990 (words); Wallace,
 //! Cohen & Greenberg 1987, Sillion & Puech 1989 (two passes).
 
+mod class_table;
 mod classes;
 mod cone;
 mod expose;
@@ -32,6 +33,7 @@ mod tree;
 mod two_pass;
 mod whitted;
 
+pub use class_table::classes_of_two_passes;
 pub use classes::{CLASSES, Class, Letter, Light, Owner, Row, Table, Word};
 pub use cone::Cone;
 pub use expose::Shown;

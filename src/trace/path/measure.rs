@@ -97,6 +97,7 @@ impl Sums {
         Table {
             mean: self.classes.map(|(sum, _)| sum / n),
             error: self.classes.map(|(_, squares)| squares.map(f64::sqrt) / n),
+            cut: Rgb::ZERO, // paths end by chance, and others count for them
         }
     }
 }

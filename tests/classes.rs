@@ -2,18 +2,16 @@
 
 mod common;
 
-use common::paths::{camera, dull, largest_z, mirror, pane, shine, shiny};
-use common::rooms::{box_walls, rectangle};
-use glam::{DVec3, dvec3};
+use common::paths::largest_z;
 use radiosity::film::Shot;
-use radiosity::geometry::{Polygon, Rgb};
-use radiosity::material::{Coefficients, Shine};
-use radiosity::scene::Scene;
+use radiosity::geometry::Rgb;
+use radiosity::scene::{Scene, built_in};
 use radiosity::solve::resolution_for;
 use radiosity::trace::{
-    CLASSES, Class, Letter, Light, Options, Owner, PathTracer, Table, Word,
+    CLASSES, Class, Letter, Light, Options, Owner, PathTracer, Word,
     classes_of_two_passes,
 };
+use std::f64::consts::PI;
 
 /// All words of up to 7 letters: each has one class, the pattern of that class fits it and
 /// no other, and its owner is told by where its D stand.
@@ -59,74 +57,46 @@ fn every_word_has_one_class_and_one_owner() {
     }
 }
 
-/// A room with a lamp in its ceiling, and what else is put there. The eye looks at the far
-/// wall and a part of all others.
-fn room(
-    wall: impl Fn(usize) -> Coefficients,
-    more: impl IntoIterator<Item = (Polygon, Coefficients)>,
-) -> (Scene, Shot) {
-    let walls = box_walls([1.0; 3]).into_iter().enumerate().map(|(k, w)| (w, wall(k)));
-    let lamp = rectangle(dvec3(0.35, 0.55, 0.98), DVec3::Y * 0.3, DVec3::X * 0.3);
-    let scene = shiny(walls.chain([(lamp, dull(10.0, 0.0))]).chain(more));
-    let camera = camera(dvec3(0.5, 0.03, 0.5), dvec3(0.5, 1.0, 0.55), 80.0);
-    (scene, Shot { camera, width: 32, height: 24, samples: 4 })
-}
-
+/// The built-in scenes that shine in one way each, small.
 fn scenes() -> Vec<(&'static str, Scene, Shot)> {
-    let grey = |k: usize| dull(0.0, [0.5, 0.6, 0.3, 0.7, 0.4, 0.6][k]);
-    let with = |k: usize, other: Coefficients| {
-        move |at: usize| if at == k { other } else { grey(at) }
+    let names = ["mirror-room", "cornell-mirror", "cornell-pane", "glossy-floor"];
+    let shot = |name| {
+        let scene = built_in(name).unwrap();
+        let shot = Shot { camera: scene.camera, width: 24, height: 18, samples: 4 };
+        (name, scene, shot)
     };
-    let gloss = Coefficients {
-        diffuse: Rgb::splat(0.2),
-        ..shine(Shine::Gloss { reflectance: Rgb::splat(0.6), exponent: 60.0 })
-    };
-    let window = rectangle(dvec3(0.3, 0.0, 0.0), DVec3::Y, DVec3::Z);
-    let all = [
-        ("mirror", room(with(0, mirror(0.8)), [])),
-        ("pane", room(grey, [(window, pane())])),
-        ("gloss", room(with(4, gloss), [])),
-    ];
-    all.into_iter().map(|(name, (scene, shot))| (name, scene, shot)).collect()
+    names.map(shot).into()
 }
 
-/// By both passes, each class from its owner.
-fn by_passes(scene: &Scene, shot: &Shot) -> Table {
-    let how = resolution_for(scene, 0.01);
-    classes_of_two_passes(scene, shot, &how, &Options::default(), &|_, _, _| ())
-}
-
-fn by_paths(scene: &Scene, shot: &Shot) -> Table {
-    PathTracer::of(scene).picture(shot, 600, 1, &|_, _, _| ()).classes
-}
-
-/// A mirror, a pane, gloss: class by class, what both passes find is what paths find, but
-/// for chance and 1 % of the light that the passes share.
+/// A mirror, a mirror block, a pane, gloss: class by class and channel by channel, what both
+/// passes find is what paths find, but for chance, 1.5 % of the light that the passes share,
+/// and of the lamps one row of samples across a tenth of the picture: where the edge of a lamp
+/// runs along the rows, so much is won or lost at once.
 #[test]
 fn both_passes_find_class_by_class_what_paths_find() {
     let scenes = scenes();
-    let most = largest_z(scenes.len() * CLASSES);
-    let mut bad = false;
+    let most = largest_z(scenes.len() * CLASSES * 3);
+    let mut faults = vec![];
     for (name, scene, shot) in &scenes {
-        let (ours, paths) = (by_passes(scene, shot), by_paths(scene, shot));
-        let lit = paths.total().x - paths.mean[0].x;
+        let how = resolution_for(scene, 0.02);
+        let options = Options::default();
+        let ours = classes_of_two_passes(scene, shot, &how, &options, &|_, _, _| ());
+        let paths = PathTracer::of(scene).picture(shot, 256, 1, &|_, _, _| ()).classes;
+        let lamps = |c: Class| c.light == Light::Lamp;
+        let lit = paths.rows().filter(|row| !lamps(row.class)).map(|row| row.mean);
+        let lit: Rgb = lit.sum();
+        let emission = scene.materials.iter().map(|m| m.emission());
+        let lamp = emission.fold(Rgb::ZERO, Rgb::max) / PI;
+        let row_of_lamp = 0.1 * lamp / f64::from(shot.height * shot.samples);
         for (row, path) in ours.rows().zip(paths.rows()) {
-            let word = row.class.word();
-            println!(
-                "{name:7} {word:24} {:.5} {:.5} z {:5.1} rel {:.4}",
-                row.mean.x,
-                path.mean.x,
-                (row.mean.x - path.mean.x) / path.error.x,
-                (row.mean.x - path.mean.x) / lit
-            );
-            let off = (row.mean - path.mean).abs().x;
-            let allowed = most * path.error.x + 0.01 * lit;
-            assert!(
-                off <= allowed,
-                "{name} {word}: {} not {}",
-                row.mean.x,
-                path.mean.x
-            );
+            let shared = if lamps(row.class) { row_of_lamp } else { 0.015 * lit };
+            let off = row.mean - path.mean;
+            if off.abs().cmpgt(most * path.error + shared).any() {
+                let (word, error) = (row.class.word(), path.error);
+                let (got, right) = (row.mean, path.mean);
+                faults.push(format!("{name}, {word}: {got}, not {right} ± {error}"));
+            }
         }
     }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

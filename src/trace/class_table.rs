@@ -29,12 +29,79 @@ struct Field {
 /// must be some for pass 1 to see where light matters.
 const NEARLY_BLACK: f64 = 1e-4;
 
-/// The mean of a picture by both passes, class by class, each class from the pass that owns
-/// it. Four times pass 1, as finely as `how` says, and pass 2.
-///
-/// # Accuracy
-/// That of pass 1. Where a pane or a solid also scatters diffusely, its light counts as
-/// caustic, not as mixed, if it was scattered last there.
+/// A picture in parts, one for each class.
+#[derive(Clone, Debug)]
+pub struct ByClass {
+    /// By [`Class::index`]. As differences of what is nearly the same, pixels may be below
+    /// 0, by as much as pass 1 is off.
+    pub pictures: Vec<Picture>,
+    /// The weight of what was cut, as in [`Table`].
+    pub cut: Rgb,
+}
+
+impl ByClass {
+    /// A picture by both passes, class by class, each class from the pass that owns it. Four
+    /// times pass 1, as finely as `how` says, and five times pass 2.
+    ///
+    /// # Accuracy
+    /// That of pass 1. What a pane or a solid scatters diffusely itself counts as caustic,
+    /// not as mixed.
+    pub fn of(
+        scene: &Scene,
+        shot: &Shot,
+        how: &Resolution,
+        options: &Options,
+        progress: Progress,
+    ) -> ByClass {
+        // What the eye sees of a field: straight, and by way of what shines.
+        let seen = |field: &Field| {
+            let all = TwoPass::of(scene, &field.mesh, &field.radiosity, *options);
+            let all = all.picture(shot, progress);
+            let straight = shot.smooth(&field.mesh, &field.radiosity);
+            let mirrored = sum(&[(1.0, &all.picture), (-1.0, &straight)]);
+            ([straight, mirrored], all.cut)
+        };
+        // Pass 1 of the scene, or of a part of it.
+        let solved = |shines: bool, reflects: bool| {
+            seen(&Field::of(scene, &variant(scene, shines, reflects), how, progress)).0
+        };
+        // ANCHOR: by_difference
+        let (lamps, cut) = seen(&emission(scene));
+        let (direct, once) = (solved(false, false), solved(true, false));
+        let (diffuse, all) = (solved(false, true), solved(true, true));
+        let sky = sky_seen(scene, shot);
+        let part = |class: Class| {
+            let k = usize::from(class.mirrored);
+            let side = [1.0, -1.0][k];
+            match class.light {
+                Light::Lamp => sum(&[(1.0, &lamps[k]), (side, &sky)]),
+                Light::Direct => sum(&[(1.0, &direct[k]), (-1.0, &lamps[k])]),
+                Light::Reflected => sum(&[(1.0, &diffuse[k]), (-1.0, &direct[k])]),
+                Light::Caustic => sum(&[(1.0, &once[k]), (-1.0, &direct[k])]),
+                Light::Mixed => sum(&[
+                    (1.0, &all[k]),
+                    (-1.0, &diffuse[k]),
+                    (-1.0, &once[k]),
+                    (1.0, &direct[k]),
+                ]),
+            }
+        };
+        // ANCHOR_END: by_difference
+        ByClass { pictures: Class::all().map(part).collect(), cut }
+    }
+
+    /// The means of the pictures.
+    pub fn table(&self) -> Table {
+        let mut table = Table { cut: self.cut, ..Table::default() };
+        for (mean, picture) in table.mean.iter_mut().zip(&self.pictures) {
+            let count = picture.pixels.len().max(1) as f64;
+            *mean = picture.pixels.iter().copied().sum::<Rgb>() / count;
+        }
+        table
+    }
+}
+
+/// The mean of a picture by both passes, class by class: [`ByClass::of`], summed up.
 pub fn classes_of_two_passes(
     scene: &Scene,
     shot: &Shot,
@@ -42,8 +109,24 @@ pub fn classes_of_two_passes(
     options: &Options,
     progress: Progress,
 ) -> Table {
-    let solve = |shines: bool, reflects: bool| {
-        let light = smooth(&variant(scene, shines, reflects), how, progress);
+    ByClass::of(scene, shot, how, options, progress).table()
+}
+
+/// A sum of pictures, each so many times.
+fn sum(parts: &[(f64, &Picture)]) -> Picture {
+    let mut sum = Picture::new(parts[0].1.width, parts[0].1.height);
+    for (times, picture) in parts {
+        for (pixel, &more) in sum.pixels.iter_mut().zip(&picture.pixels) {
+            *pixel += *times * more;
+        }
+    }
+    sum
+}
+
+impl Field {
+    /// The light of a `part` of the scene, as the surfaces of the whole `scene` show it.
+    fn of(scene: &Scene, part: &Scene, how: &Resolution, progress: Progress) -> Field {
+        let light = smooth(part, how, progress);
         let mut radiosity = vec![Rgb::ZERO; light.mesh.vertices.len()];
         for element in &light.mesh.elements {
             for corner in element.corners.iter().map(|c| c.0 as usize) {
@@ -52,35 +135,7 @@ pub fn classes_of_two_passes(
             }
         }
         Field { mesh: light.mesh, radiosity }
-    };
-    // What the eye sees of a field: straight, and by way of what shines.
-    let seen = |field: &Field| {
-        let all = TwoPass::of(scene, &field.mesh, &field.radiosity, *options);
-        let all = all.picture(shot, progress);
-        let straight = mean(&shot.smooth(&field.mesh, &field.radiosity));
-        [straight, mean(&all.picture) - straight, all.cut]
-    };
-    let [lamps, mirrored, cut] = seen(&emission(scene));
-    let sky = sky_seen(scene, shot);
-    let less_lamps = |[a, b, _]: [Rgb; 3]| [a - lamps, b - mirrored];
-    // ANCHOR: by_difference
-    let direct = less_lamps(seen(&solve(false, false)));
-    let diffuse = less_lamps(seen(&solve(false, true)));
-    let once = less_lamps(seen(&solve(true, false)));
-    let all = less_lamps(seen(&solve(true, true)));
-    let mut table = Table { cut, ..Table::default() };
-    for class in Class::all() {
-        let k = usize::from(class.mirrored);
-        table.mean[class.index()] = match class.light {
-            Light::Lamp => [lamps + sky, mirrored - sky][k],
-            Light::Direct => direct[k],
-            Light::Reflected => diffuse[k] - direct[k],
-            Light::Caustic => once[k] - direct[k],
-            Light::Mixed => all[k] - diffuse[k] - once[k] + direct[k],
-        };
     }
-    // ANCHOR_END: by_difference
-    table
 }
 
 /// The scene with all that shines black, or with nearly no light reflected diffusely, or
@@ -118,7 +173,7 @@ fn emission(scene: &Scene) -> Field {
 }
 
 /// The sky as the eye sees it straight: what of a scene that is black is not.
-fn sky_seen(scene: &Scene, shot: &Shot) -> Rgb {
+fn sky_seen(scene: &Scene, shot: &Shot) -> Picture {
     let black = |material: &Material| {
         let black = Material::new(material.name(), Coefficients::default());
         black.unwrap_or_else(|_| material.clone())
@@ -128,9 +183,5 @@ fn sky_seen(scene: &Scene, shot: &Shot) -> Rgb {
     let mesh = Mesh::whole(&scene);
     let dark = vec![Rgb::ZERO; mesh.vertices.len()];
     let eye = TwoPass::of(&scene, &mesh, &dark, Options::default());
-    mean(&eye.picture(shot, &|_, _, _| ()).picture)
-}
-
-fn mean(picture: &Picture) -> Rgb {
-    picture.pixels.iter().copied().sum::<Rgb>() / picture.pixels.len().max(1) as f64
+    eye.picture(shot, &|_, _, _| ()).picture
 }

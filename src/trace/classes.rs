@@ -24,7 +24,6 @@ pub enum Letter {
 }
 
 /// How light came to the surface where the eye, or the mirrors before it, found it.
-// ANCHOR: light
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Light {
     /// `L`: it is a lamp, or the sky.
@@ -38,7 +37,6 @@ pub enum Light {
     /// `D(D|S)*L`, the rest: diffuse light that was passed on in between.
     Mixed,
 }
-// ANCHOR_END: light
 
 /// A family of words: whether the eye looks into a mirror, and how light came there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,8 +145,8 @@ pub struct Word {
 }
 
 impl Word {
-    // ANCHOR: word
     /// The word with one more letter.
+    // ANCHOR: then
     pub fn then(self, letter: Letter) -> Word {
         let mut word = self;
         match letter {
@@ -158,8 +156,10 @@ impl Word {
         }
         word
     }
+    // ANCHOR_END: then
 
     /// The class of the word if it ends here, in a lamp or in the sky.
+    // ANCHOR: class
     pub fn class(self) -> Class {
         let light = match (self.diffuse, self.passed_on) {
             (0, _) => Light::Lamp,
@@ -170,7 +170,7 @@ impl Word {
         };
         Class { mirrored: self.mirrored, light }
     }
-    // ANCHOR_END: word
+    // ANCHOR_END: class
 }
 
 /// Light by class.

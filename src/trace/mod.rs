@@ -33,7 +33,7 @@ mod tree;
 mod two_pass;
 mod whitted;
 
-pub use class_table::classes_of_two_passes;
+pub use class_table::{ByClass, classes_of_two_passes};
 pub use classes::{CLASSES, Class, Letter, Light, Owner, Row, Table, Word};
 pub use cone::Cone;
 pub use expose::Shown;

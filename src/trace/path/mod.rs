@@ -224,7 +224,6 @@ impl<'s> PathTracer<'s> {
         tally: Tally,
     ) -> bool {
         let x = walk.ray.origin;
-        // ANCHOR: ask
         if self.strategy != Strategy::Lobes
             && let Some(light) = self.lamps.sample(self.scene, x, random)
         {
@@ -242,7 +241,6 @@ impl<'s> PathTracer<'s> {
                 tally(clear.word.class(), weight * light.radiance);
             }
         }
-        // ANCHOR_END: ask
         let wi = lobe.sample(wo, dvec2(random.next(), random.next()));
         let pdf = lobe.pdf(wi, wo);
         let seen = lobe.value(wi, wo) * wi.z.max(0.0);

@@ -8,9 +8,12 @@
 //! | 130       | interrupted; no file is half written                                  |
 
 mod chart;
+mod compare;
+mod compare_page;
 mod explain;
 mod face_matrix;
 mod form_factors;
+mod methods;
 mod output;
 mod report;
 mod render;
@@ -38,6 +41,7 @@ use std::process::ExitCode;
   radiosity scenes
   radiosity render l-room -o l-room.png --tolerance 5%
   radiosity solve room.obj -o room.csv --json
+  radiosity compare gallery
   radiosity explain cornell --tolerance 1%
   radiosity form-factors room.obj -o room.npy
 
@@ -57,6 +61,7 @@ enum Verb {
     Solve(solve::Solve),
     FormFactors(form_factors::FormFactors),
     Render(Box<render::Render>),
+    Compare(compare::Compare),
     Explain(explain::Explain),
     Chart(chart::Chart),
 }
@@ -110,6 +115,7 @@ fn perform(arguments: &Arguments, terminal: &Terminal) -> Result<(), Refusal> {
         Some(Verb::Solve(solve)) => solve.run(seed, terminal),
         Some(Verb::FormFactors(matrix)) => matrix.run(seed, terminal),
         Some(Verb::Render(render)) => render.run(seed, terminal),
+        Some(Verb::Compare(compare)) => compare.run(seed, terminal),
         Some(Verb::Explain(explain)) => explain.run(seed, terminal),
         Some(Verb::Chart(chart)) => chart.run(terminal),
         None => render::Render::cornell()?.run(seed, terminal),

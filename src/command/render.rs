@@ -1,12 +1,13 @@
 //! `radiosity render`: a solved scene as a camera sees it.
 
+use super::methods::{self, Made, Method};
 use super::output::{Refusal, Terminal, check_writable, extension, write};
 use super::report;
 use super::sky::Lit;
-use super::solve::{FactorMethod, How, SolverMethod, solved};
+use super::solve::{FactorMethod, How, SolverMethod};
 use super::values::{self, Size};
 use clap::{Args, ValueEnum};
-use radiosity::film::{FalseColour, Format, Picture, Shot, png};
+use radiosity::film::{FalseColour, Format, Picture, Shot, luminance, png};
 use radiosity::geometry::Rgb;
 use radiosity::glam::DVec3;
 use radiosity::mesh::ElementId;
@@ -23,6 +24,9 @@ use std::time::Instant;
   radiosity render cornell -o cornell.png
   radiosity render room.obj -o room.exr --size 1920x1080 --eye 1,1.6,4 --target 2,1,0
   radiosity render l-room -o mesh.png --shading flat --view mesh --tolerance 5%
+  radiosity render gallery -o gallery.png
+  radiosity render room.obj -o room.png --sky overcast:30 --two-sided
+  radiosity render cornell-mirror -o true.exr --method path-trace --samples 256
   radiosity render cornell -o lux.png --view false-color
   radiosity render cornell -o wrong.png --view error")]
 pub struct Render {
@@ -31,9 +35,13 @@ pub struct Render {
     /// Where to write: .png (sRGB), .hdr or .exr (linear radiance, W/(m² sr))
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// How light is followed
-    #[arg(long, value_enum, default_value_t = Passes::Radiosity)]
-    method: Passes,
+    /// How light is followed [default: two-pass where something shines or a sky does,
+    /// else radiosity]
+    #[arg(long, value_enum)]
+    method: Option<Method>,
+    /// Samples in each pixel [default: 9; with path-trace 64]
+    #[arg(long, value_name = "N")]
+    samples: Option<usize>,
     /// One brightness for each element, or a smooth course between their corners
     #[arg(long, value_enum, default_value_t = Shading::Smooth)]
     shading: Shading,
@@ -65,13 +73,7 @@ pub struct Render {
     tolerance: f64,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum Passes {
-    /// Diffuse light between elements, drawn as it is
-    Radiosity,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Shading {
     Flat,
     Smooth,
@@ -105,9 +107,6 @@ fn exposure(text: &str) -> Result<Exposure, String> {
     }
 }
 
-/// The picture is drawn so often along each side of a pixel.
-const SAMPLES: u32 = 3;
-
 /// So many, so that the error of each can be told.
 const POINTS_ON_AN_ELEMENT: usize = 4;
 
@@ -121,7 +120,8 @@ impl Render {
         Ok(Render {
             source: Lit::built_in("cornell"),
             output: folder.join("cornell.png"),
-            method: Passes::Radiosity,
+            method: None,
+            samples: None,
             shading: Shading::Smooth,
             size: Size { width: 512, height: 512 },
             eye: None,
@@ -141,7 +141,6 @@ impl Render {
         if let Exposure::Value(value) = self.exposure {
             values::positive("--exposure", value)?;
         }
-        let Passes::Radiosity = self.method;
         let how = How {
             levels: None,
             tolerance: self.tolerance,
@@ -150,36 +149,68 @@ impl Render {
             method: SolverMethod::Auto,
         };
         let way = how.way(seed)?;
+        if let Some(method) = self.method {
+            methods::samples(self.samples, method)?;
+        }
         let scene = self.source.load(terminal)?;
         let camera = self.camera(scene.camera)?;
+        let method = self.method_for(&scene)?;
+        let samples = methods::samples(self.samples, method)?;
 
         let start = Instant::now();
-        let (solution, plan) = solved(&scene, &way, terminal)?;
-        terminal.progress("drawing", 0, 1);
-        let shot = Shot { camera, width, height, samples: SAMPLES };
-        let picture = match (self.view, self.shading) {
-            (What::Error, _) => self.errors(&shot, &scene, &solution, seed),
-            (_, Shading::Flat) => shot.flat(&solution.mesh, &solution.radiosity),
-            (_, Shading::Smooth) => {
-                shot.smooth(&solution.mesh, &solution.vertex_radiosity)
-            }
+        let solved = methods::first_pass(method, &scene, &way, terminal)?;
+        let solution = solved.as_ref().map(|(solution, _)| solution);
+        let side = methods::side(samples) as u32;
+        let shot = Shot { camera, width, height, samples: side };
+        let made = match (self.view, self.shading, solution) {
+            (What::Error, _, Some(solution)) => Made {
+                picture: self.errors(&shot, &scene, solution, seed),
+                rays: None,
+                error: None,
+            },
+            (_, Shading::Flat, Some(solution)) => Made {
+                picture: shot.flat(&solution.mesh, &solution.radiosity),
+                rays: None,
+                error: None,
+            },
+            _ => methods::make(
+                method,
+                &scene,
+                solution,
+                (&shot, samples),
+                seed,
+                terminal,
+            ),
         };
+        let picture = &made.picture;
         let exposure = match self.exposure {
             Exposure::Auto => picture.auto_exposure(),
             Exposure::Value(value) => value,
         };
-        let bytes = self.encoded(format, &shot, &picture, exposure, &solution)?;
+        let bytes = self.encoded(format, &shot, picture, exposure, solution)?;
         let seconds = start.elapsed().as_secs_f64();
         write(&self.output, &bytes)?;
 
+        let noise = made.error.as_ref().map(|error| noise(picture, error));
         let clamped = picture.clamped_share(exposure);
-        let mut text = report::text(&scene, &solution, self.tolerance, seconds);
+        let mut text = match solution {
+            Some(solution) => report::text(&scene, solution, self.tolerance, seconds),
+            None => format!("{}: {seconds:.1} s\n", scene.name),
+        };
         text += &format!(
-            "picture: {}, {width}x{height}, exposure {exposure:.4}, {} of the pixels are \
-             clamped\n",
+            "picture: {}, {width}x{height}, {}, exposure {exposure:.4}, {} of the pixels \
+             are clamped\n",
             self.output.display(),
+            method.name(),
             report::percent(clamped)
         );
+        if let Some(noise) = noise {
+            let noise = report::percent(noise);
+            text += &format!(
+                "noise: pixels are off by about {noise} of the picture's mean (one \
+                 standard error)\n"
+            );
+        }
         if self.view == What::Error {
             let FalseColour { low, high } = FalseColour::ERRORS;
             text += &format!(
@@ -190,14 +221,52 @@ impl Render {
             );
         }
         terminal.report(&text, || {
-            let mut object =
-                report::json_timed(&solution, &plan, self.tolerance, seconds);
+            let mut object = match &solved {
+                Some((solution, plan)) => {
+                    report::json_timed(solution, plan, self.tolerance, seconds)
+                }
+                None => json!({ "seconds": seconds }),
+            };
             object["file"] = json!(self.output);
+            object["method"] = json!(method.name());
             object["size"] = json!([width, height]);
+            object["samples"] = json!(samples);
             object["exposure"] = json!(exposure);
             object["clamped"] = json!(clamped);
+            object["rays"] = json!(made.rays);
+            object["noise"] = json!(noise);
+            let classes = methods::classes(&scene, &shot, seed);
+            object["paths"] = methods::classes_json(&classes);
             object
         })
+    }
+
+    /// The method asked for, if it can show what is asked for; else the best.
+    fn method_for(&self, scene: &Scene) -> Result<Method, Refusal> {
+        let elements = self.view == What::Error || self.shading == Shading::Flat;
+        let Some(method) = self.method else {
+            let best = Method::best_for(scene);
+            return Ok(if elements { Method::Radiosity } else { best });
+        };
+        let name = method.name();
+        let refused = |option: &str, instead: &str| {
+            Err(Refusal(format!(
+                "{option} shows the elements of pass 1, which --method {name} does not; \
+                 choose --method {instead}"
+            )))
+        };
+        match (self.view, self.shading) {
+            (What::Error, _) if method != Method::Radiosity => {
+                refused("--view error", "radiosity")
+            }
+            (What::Mesh, _) if !method.solves() => {
+                refused("--view mesh", "radiosity or two-pass")
+            }
+            (_, Shading::Flat) if method != Method::Radiosity => {
+                refused("--shading flat", "radiosity")
+            }
+            _ => Ok(method),
+        }
     }
 
     /// The format of the file, if it can hold what is asked for.
@@ -266,15 +335,27 @@ impl Render {
         shot: &Shot,
         picture: &Picture,
         exposure: f64,
-        solution: &Solution,
+        solution: Option<&Solution>,
     ) -> Result<Vec<u8>, Refusal> {
         Ok(match self.view {
             What::Color => picture.encode(format, exposure)?,
             What::FalseColor => png(&FalseColour::of(picture).draw(picture))?,
             What::Error => png(&FalseColour::ERRORS.draw(picture))?,
             What::Mesh => {
-                png(&shot.with_mesh(picture.display(exposure), &solution.mesh))?
+                let picture = picture.display(exposure);
+                match solution {
+                    Some(solution) => png(&shot.with_mesh(picture, &solution.mesh))?,
+                    None => png(&picture)?,
+                }
             }
         })
     }
+}
+
+/// The standard error of a pixel, root mean square, relative to the mean luminance.
+fn noise(picture: &Picture, error: &[Rgb]) -> f64 {
+    let mean = picture.pixels.iter().map(|l| luminance(*l)).sum::<f64>();
+    let squares = error.iter().map(|e| luminance(*e).powi(2)).sum::<f64>();
+    let pixels = error.len() as f64;
+    (squares / pixels).sqrt() / (mean / pixels).max(f64::MIN_POSITIVE)
 }

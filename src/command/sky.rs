@@ -19,6 +19,9 @@ pub struct Lit {
     /// or a panorama, FILE.hdr
     #[arg(long, value_name = "SKY", value_parser = read)]
     sky: Option<Asked>,
+    /// Opaque faces reflect on both sides, not on their front only
+    #[arg(long)]
+    two_sided: bool,
 }
 
 /// What `--sky` asks for.
@@ -99,12 +102,16 @@ impl Asked {
 impl Lit {
     /// A built-in scene in its own light.
     pub fn built_in(name: &str) -> Lit {
-        Lit { source: Source { scene: name.into(), up: None }, sky: None }
+        let source = Source { scene: name.into(), up: None };
+        Lit { source, sky: None, two_sided: false }
     }
 
     /// Reads the scene and its sky; the world's up is that of the camera.
     pub fn load(&self, terminal: &Terminal) -> Result<Scene, Refusal> {
         let mut scene = self.source.load(terminal)?;
+        if self.two_sided {
+            scene = scene.two_sided();
+        }
         if let Some(asked) = &self.sky {
             let up = values::direction("--up", scene.camera.up)?;
             scene.sky = Some(asked.sky(up)?);

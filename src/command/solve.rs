@@ -170,14 +170,20 @@ pub fn samples(
 
 /// Refuses a scene that has no light to be solved for, or is too large.
 pub fn checked(scene: &Scene) -> Result<(), Refusal> {
-    if !scene.has_emitter() {
-        return Err(Refusal(format!(
-            "{} has neither emitter nor sky, so all of it is dark; give a material that \
-             is used a `Ke` above 0, or a --sky that shines",
-            scene.name
-        )));
-    }
+    lit(scene)?;
     sized(scene)
+}
+
+/// Refuses a scene that has no light.
+pub fn lit(scene: &Scene) -> Result<(), Refusal> {
+    if scene.has_emitter() {
+        return Ok(());
+    }
+    Err(Refusal(format!(
+        "{} has neither emitter nor sky, so all of it is dark; give a material that is \
+         used a `Ke` above 0, or a --sky that shines",
+        scene.name
+    )))
 }
 
 /// Refuses a scene that is too large.

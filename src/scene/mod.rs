@@ -22,6 +22,7 @@
 mod assemble;
 mod builtin;
 mod camera;
+mod dulled;
 mod overlap;
 
 pub use assemble::{FaceError, Warning};

@@ -24,10 +24,10 @@ pub(super) fn gallery() -> Scene {
     ball_and_vitrine(&mut builder);
     screen(&mut builder);
     let camera = Camera {
-        eye: dvec3(3.3, 1.55, 4.9),
-        target: dvec3(2.85, 1.12, 0.0),
+        eye: dvec3(4.7, 1.6, 4.85),
+        target: dvec3(2.15, 1.1, 0.4),
         up: DVec3::Y,
-        fov: 62.0,
+        fov: 66.0,
     };
     Scene { sky: Some(evening()), ..builder.scene("gallery", camera) }
 }

@@ -140,7 +140,11 @@ impl Scene {
     /// Gives all surfaces of front sides that are `wanted` and have none a back: a second
     /// surface in the same place that looks the other way. Those that have one already get
     /// its material anew.
-    pub(super) fn add_backs(&mut self, wanted: impl Fn(&Material) -> bool, two_sided: bool) {
+    pub(super) fn add_backs(
+        &mut self,
+        wanted: impl Fn(&Material) -> bool,
+        two_sided: bool,
+    ) {
         let mut material_of_back: HashMap<u32, MaterialId> = HashMap::new();
         for k in 0..self.surfaces.len() {
             let front = self.surfaces[k].clone();

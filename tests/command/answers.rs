@@ -99,7 +99,7 @@ fn no_argument_draws_the_cornell_box() {
 #[test]
 fn every_verb_explains_itself_with_examples() {
     let folder = Folder::new();
-    for verb in ["", "scenes", "solve", "form-factors", "render"] {
+    for verb in ["", "scenes", "solve", "form-factors", "render", "compare", "chart"] {
         let help = folder.run(&format!("{verb} --help")).done().out;
         assert!(help.contains("Examples:") && help.contains("--json"), "{help}");
     }

@@ -4,6 +4,7 @@
 mod answers;
 mod files;
 mod interrupted;
+mod methods;
 mod refused;
 mod same_bytes;
 

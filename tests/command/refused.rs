@@ -13,7 +13,7 @@ const LAMP: &str = "newmtl lamp\nKe 1 1 1\n";
 
 /// `arguments` must be refused with exit code 1 and one line that holds all of `words`;
 /// an older output file stays as it is.
-fn refused(folder: &Folder, arguments: &str, words: &[&str]) {
+pub fn refused(folder: &Folder, arguments: &str, words: &[&str]) {
     let outputs = ["old.csv", "old.png", "old.npy"];
     outputs.iter().for_each(|name| folder.write(name, "as it was"));
     let before = folder.names();

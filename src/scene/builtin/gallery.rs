@@ -24,10 +24,10 @@ pub(super) fn gallery() -> Scene {
     ball_and_vitrine(&mut builder);
     screen(&mut builder);
     let camera = Camera {
-        eye: dvec3(4.7, 1.6, 4.85),
-        target: dvec3(2.15, 1.1, 0.4),
+        eye: dvec3(4.5, 1.6, 4.9),
+        target: dvec3(2.55, 1.05, 0.4),
         up: DVec3::Y,
-        fov: 66.0,
+        fov: 62.0,
     };
     Scene { sky: Some(evening()), ..builder.scene("gallery", camera) }
 }
@@ -84,7 +84,7 @@ fn ball_and_vitrine(builder: &mut Builder) {
     let round = Shine::Glass { index: 1.5, tint: Rgb::ONE };
     let glass = builder.shiny("glass", Rgb::ZERO, Rgb::ZERO, round);
     builder.block(&square(1.5, 2.3, 0.25), 0.7, stone);
-    builder.ball(dvec3(1.5, 1.01, 2.3), 0.3, 10, glass);
+    builder.ball(dvec3(1.5, 1.01, 2.3), 0.3, 8, glass);
     builder.block(&square(3.1, 1.5, 0.35), 0.6, stone);
     builder.block_on(&square(3.1, 1.5, 0.13), [0.6, 0.9], green);
     let flat = Shine::Pane { index: 1.5, tint: Rgb::new(0.90, 0.97, 0.94) };
@@ -121,9 +121,9 @@ fn screen(builder: &mut Builder) {
 /// Row by row from blue above to orange at the horizon, and dark ground.
 fn evening() -> Sky {
     let radiance = |direction: DVec3| {
-        let [low, high] = [Rgb::new(26.0, 18.0, 12.0), Rgb::new(7.0, 12.0, 24.0)];
+        let [low, high] = [Rgb::new(9.0, 6.6, 4.8), Rgb::new(2.4, 4.2, 8.4)];
         match direction.y {
-            y if y < 0.0 => Rgb::new(2.5, 2.2, 1.5),
+            y if y < 0.0 => Rgb::new(0.8, 0.7, 0.5),
             y => low.lerp(high, y.sqrt()),
         }
     };

@@ -60,12 +60,12 @@ pub(super) fn mirror_corridor() -> Scene {
     builder.room(&plan, 2.4, wood, white, &[mirror, white, mirror, blue]);
     builder.face(lamp, &panel([0.7, 1.3], 2.4, [1.2, 3.0]));
     builder.block(&[(0.8, 1.0), (0.6, 1.5), (1.1, 1.7), (1.3, 1.2)], 0.9, red);
-    let camera = looking(dvec3(1.75, 1.6, 4.6), dvec3(0.0, 1.1, 1.3), 65.0);
+    let camera = looking(dvec3(1.8, 1.5, 4.7), dvec3(0.2, 0.75, 1.2), 60.0);
     builder.scene("mirror-corridor", camera)
 }
 
 /// A room of 5 m × 4 m × 2.8 m with a window of 2.4 m × 1.5 m; `glass` in it, if any.
-fn daylight(name: &str, sky: Sky, glass: Option<Shine>) -> Scene {
+fn daylight(name: &str, sky: Sky, glass: Option<Shine>, camera: Camera) -> Scene {
     let mut builder = Builder::default();
     let white = builder.material("white", Rgb::ZERO, OFF_WHITE);
     let wood = builder.material("wood", Rgb::ZERO, WOOD);
@@ -84,7 +84,6 @@ fn daylight(name: &str, sky: Sky, glass: Option<Shine>) -> Scene {
         let pane = builder.shiny("pane", Rgb::ZERO, Rgb::ZERO, shine);
         builder.face(pane, &outline);
     }
-    let camera = looking(dvec3(4.8, 1.35, 3.7), dvec3(1.3, 1.25, 1.2), 64.0);
     Scene { sky: Some(sky), ..builder.scene(name, camera) }
 }
 
@@ -92,13 +91,15 @@ fn daylight(name: &str, sky: Sky, glass: Option<Shine>) -> Scene {
 pub(super) fn glazed_room() -> Scene {
     let sky = Sky::overcast(Rgb::new(30.0, 32.0, 36.0), DVec3::Y);
     let glass = Shine::Pane { index: 1.52, tint: Rgb::new(0.94, 0.96, 0.95) };
-    daylight("glazed-room", sky, Some(glass))
+    let camera = looking(dvec3(4.7, 1.5, 3.8), dvec3(2.1, 0.75, 0.6), 62.0);
+    daylight("glazed-room", sky, Some(glass), camera)
 }
 
 /// Daylight from a uniform sky through an open window.
 pub(super) fn sky_room() -> Scene {
     let sky = Sky::uniform(Rgb::new(18.0, 20.0, 24.0), DVec3::Y);
-    daylight("sky-room", sky, None)
+    let camera = looking(dvec3(0.3, 1.5, 3.8), dvec3(3.2, 0.9, 0.9), 66.0);
+    daylight("sky-room", sky, None, camera)
 }
 
 /// A room of 4 m × 4 m × 2.6 m that a paper screen divides; the lamp is behind the screen.
@@ -136,7 +137,7 @@ pub(super) fn glossy_floor() -> Scene {
         builder.shiny("polished", Rgb::new(0.30, 0.22, 0.15), Rgb::ZERO, shine);
     let plan = [(0.0, 0.0), (0.0, 4.0), (4.0, 4.0), (4.0, 0.0)];
     builder.room(&plan, 2.6, polished, white, &[red, white, blue, white]);
-    let low = [(2.6, 0.5), (1.4, 0.5), (1.4, 1.3), (2.6, 1.3)];
+    let low = [(1.4, 0.5), (2.6, 0.5), (2.6, 1.3), (1.4, 1.3)];
     builder.face(lamp, &low.map(|(x, y)| dvec3(x, y, 0.0)));
     builder.face(lamp, &panel([1.6, 2.4], 2.6, [1.8, 2.6]));
     builder.block(&[(0.6, 1.2), (0.6, 1.8), (1.2, 1.8), (1.2, 1.2)], 0.9, white);

@@ -143,7 +143,8 @@ fn specular_materials_are_told() {
         shine: Shine::Mirror { reflectance: Rgb::splat(0.1) },
         ..Default::default()
     });
-    assert!(why(&Plan::of(&shiny, 0.01), "pass 2").contains("counts as absorbed"));
+    assert!(why(&Plan::of(&shiny, 0.01), "pass 2").contains("rays show"));
+    assert!(why(&Plan::of(&shiny, 0.01), "mirrors").contains("nothing is cut"));
 }
 
 #[test]

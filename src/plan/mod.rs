@@ -17,8 +17,7 @@
 //! | [`Plan::run`]    | it is to be done                         | the limits are reached     |
 //! | [`Predicted`]    | a person asks how long it will take      | the machine is another     |
 //!
-//! **Not here:** how light is resolved and certified ([`crate::solve`]); specular light,
-//! which pass 1 counts as absorbed.
+//! **Not here:** how light is resolved and certified ([`crate::solve`]).
 //! Chapter *What does this scene need?*, on the pipeline of (L08). Sources: Lischinski,
 //! Smits & Greenberg 1994 (bounds that tell where to work); Smits, Arvo & Salesin 1992 (no
 //! more work than the result needs).
@@ -116,7 +115,11 @@ impl<'s> Plan<'s> {
         let enough = SHARE_OF_BOUNCES * tolerance;
         let way = match survey.everywhere {
             Some(radiosity) => Way::Everywhere(radiosity),
-            None if survey.brightest <= enough && survey.sums_emitters => {
+            None if survey.brightest <= enough
+                && survey.sums_emitters
+                && survey.specular == 0
+                && scene.sky.is_none() =>
+            {
                 Way::Smooth(Resolution { reflected: f64::INFINITY, ..first })
             }
             None => Way::Smooth(first),

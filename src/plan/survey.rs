@@ -2,9 +2,11 @@
 
 use crate::form_factor::{Blockers, ray_from};
 use crate::geometry::{Frame, Polygon, Rgb};
+use crate::material::Shine;
 use crate::mesh::Mesh;
 use crate::random::Stream;
 use crate::scene::Scene;
+use crate::sky::Sky;
 use crate::solve::Direct;
 use crate::visibility::Visibility;
 
@@ -27,12 +29,20 @@ pub struct Survey {
     pub emitters: usize,
     /// Are they few enough to be summed exactly?
     pub sums_emitters: bool,
-    /// `ρ_max`, brightest channel.
+    /// Largest `ρ + τ`, brightest channel.
     pub brightest: f64,
     /// `ρ̄`, mean over the area, brightest channel.
     pub mean_reflectance: f64,
-    /// Materials in use that reflect specularly, which pass 1 does not follow.
+    /// Materials in use that mirror, shine or let light through: what pass 2 is for.
     pub specular: usize,
+    /// Images of the scene in flat mirrors and panes whose lamps are summed exactly.
+    pub images: usize,
+    /// Materials among the specular ones that have no image: gloss, and glass that bends.
+    pub bent: usize,
+    /// Is there a sky that shines?
+    pub sky: bool,
+    /// Openings through which it is summed exactly; 0 when it is also seen otherwise.
+    pub openings: usize,
     /// The radiosity, in W/m², that is everywhere the same, if it is.
     pub everywhere: Option<Rgb>,
 }
@@ -53,6 +63,7 @@ impl Survey {
         };
         let power: f64 = (0..scene.surfaces.len()).map(sent).sum();
         let visibility = Visibility::new(scene.surfaces.iter().map(|s| &s.polygon));
+        let direct = Direct::of(scene);
         let mut found = Survey {
             surfaces: scene.surfaces.len(),
             rays: 0,
@@ -61,14 +72,18 @@ impl Survey {
             on_backs: 0.0,
             blockers: Blockers::of(scene).all().len(),
             emitters: 0,
-            sums_emitters: Direct::of(scene).sums_emitters(),
+            sums_emitters: direct.sums_emitters(),
             brightest: 0.0,
             mean_reflectance: 0.0,
             specular: 0,
+            images: direct.images() - 1,
+            bent: 0,
+            sky: scene.sky.as_ref().is_some_and(Sky::shines),
+            openings: direct.openings(),
             everywhere: None,
         };
         let mut mean = Rgb::ZERO;
-        let mut specular = vec![false; scene.materials.len()];
+        let mut specular = vec![None; scene.materials.len()];
         for (k, surface) in scene.surfaces.iter().enumerate() {
             let share = surface.polygon.area() / area;
             let of_power = if power > 0.0 { sent(k) / power } else { 0.0 };
@@ -80,13 +95,18 @@ impl Survey {
             found.on_backs += share * on_back;
             let material = scene.material(surface);
             found.emitters += material.emits() as usize;
-            found.brightest = found.brightest.max(material.diffuse().max_element());
-            mean += share * material.diffuse();
-            specular[surface.material.0 as usize] |= !material.shine().is_dull();
+            found.brightest = found.brightest.max(material.scattered().max_element());
+            mean += share * material.scattered();
+            let shine = Some(material.shine()).filter(|shine| !shine.is_dull());
+            specular[surface.material.0 as usize] = shine;
         }
         found.mean_reflectance = mean.max_element();
-        found.specular = specular.into_iter().filter(|&s| s).count();
-        found.everywhere = everywhere(scene).filter(|_| found.is_closed());
+        let bends = |s: &&Shine| matches!(s, Shine::Gloss { .. } | Shine::Glass { .. });
+        found.specular = specular.iter().flatten().count();
+        found.bent = specular.iter().flatten().filter(bends).count();
+        let plain =
+            found.specular == 0 && scene.surfaces.iter().all(|s| s.back.is_none());
+        found.everywhere = everywhere(scene).filter(|_| plain && found.is_closed());
         found
     }
 

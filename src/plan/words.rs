@@ -14,7 +14,7 @@ pub(super) fn decisions(
     let mut said = vec![room(survey), way_through(survey)];
     let Way::Smooth(how) = way else {
         said.push(everywhere(survey));
-        said.push(specular(survey));
+        said.extend(specular(survey));
         return said;
     };
     let bounces = how.reflected.is_finite();
@@ -28,7 +28,8 @@ pub(super) fn decisions(
     } else {
         said.push(darkness(survey, tolerance));
     }
-    said.push(specular(survey));
+    said.extend(sky(survey));
+    said.extend(specular(survey));
     said.push(work(predicted));
     let most = Ask::default().most_patches;
     if pieces.patches > most || predicted.elements >= how.most_elements as f64 {
@@ -191,18 +192,47 @@ fn patches(pieces: &Pieces, hemicube: u32) -> Decision {
     }
 }
 
-fn specular(survey: &Survey) -> Decision {
-    let why = match survey.specular {
-        0 => "no specular material: pass 2 would change nothing, skipped".into(),
-        1 => "one specular material: what it mirrors counts as absorbed, the certificate \
-              knows nothing of it"
-            .into(),
+fn sky(survey: &Survey) -> Option<Decision> {
+    let value = survey.openings as f64;
+    let why = match survey.openings {
+        _ if !survey.sky => return None,
+        0 => {
+            "seen by hemicubes, since it is not only seen through flat openings".into()
+        }
+        1 => "seen through one flat opening only, which is summed as a lamp is".into(),
         n => format!(
-            "{n} specular materials: what they mirror counts as absorbed, the certificate \
-             knows nothing of it"
+            "seen through {n} flat openings only, which are summed as lamps are"
         ),
     };
-    Decision { what: "pass 2", why, value: survey.specular as f64 }
+    Some(Decision { what: "sky", why, value })
+}
+
+fn specular(survey: &Survey) -> Vec<Decision> {
+    let mut said = Vec::new();
+    if survey.images > 0 {
+        let why = format!(
+            "{} images of the lamps in flat mirrors and panes are summed exactly; what is \
+             reflected more often, rays follow: nothing is cut",
+            survey.images
+        );
+        said.push(Decision { what: "mirrors", why, value: survey.images as f64 });
+    }
+    if survey.bent > 0 {
+        let why = format!(
+            "{} of the specular materials, gloss or glass that bends light, have no image: \
+             rays carry what they send onto other surfaces",
+            survey.bent
+        );
+        said.push(Decision { what: "rays", why, value: survey.bent as f64 });
+    }
+    let why = match survey.specular {
+        0 => "no specular material: pass 2 would change nothing, skipped".into(),
+        n => format!(
+            "specular materials: {n}; rays show what they mirror and let through"
+        ),
+    };
+    said.push(Decision { what: "pass 2", why, value: survey.specular as f64 });
+    said
 }
 
 fn work(predicted: &Predicted) -> Decision {

@@ -60,6 +60,16 @@ impl<'a> Direct<'a> {
         Direct { emitters, portals, sky, world }
     }
 
+    /// How many images are looked at, the world itself being the first.
+    pub fn images(&self) -> usize {
+        self.world.images().len()
+    }
+
+    /// Openings through which the sky is summed.
+    pub fn openings(&self) -> usize {
+        self.portals.len()
+    }
+
     /// Is there an emitter whose light is summed here?
     pub fn sums_emitters(&self) -> bool {
         !self.emitters.is_empty()
@@ -77,6 +87,14 @@ impl<'a> Direct<'a> {
 
     fn follows(&self, chain: &Chain) -> bool {
         !chain.bent && chain.bounces <= self.world.levels()
+    }
+
+    /// The sky's part of the light in the middle of `piece`, W/m².
+    pub fn of_sky(&self, piece: &Polygon) -> Rgb {
+        match self.portals.is_empty() {
+            true => Rgb::ZERO,
+            false => self.on(piece).of_sky(piece.centroid()),
+        }
     }
 
     /// The light on `piece`, a part of a surface: only what reaches into the shafts between

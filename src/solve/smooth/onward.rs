@@ -119,7 +119,7 @@ impl<'a> Onward<'a> {
         let weight = weight / RAYS;
         let first = chain == Chain::default();
         if !first {
-            found.lost.absorbed -= weight; // it went on from where it was absorbed
+            found.lost.absorbed -= weight; // it went on from where it had arrived
         }
         match met {
             Met::Sky(direction) => {
@@ -133,9 +133,8 @@ impl<'a> Onward<'a> {
             Met::Surface { surface, piece, point, front } => {
                 let surface = &self.scene.surfaces[surface as usize];
                 let material = self.scene.material(surface);
-                let scattered = if front { material.scattered() } else { Rgb::ZERO };
-                if !material.shine().is_dull() || !front {
-                    found.lost.absorbed += weight * (Rgb::ONE - scattered);
+                if !front {
+                    found.lost.absorbed += weight; // of a front the irradiance tells
                 }
                 if first || !front {
                     return;
@@ -143,7 +142,7 @@ impl<'a> Onward<'a> {
                 if !direct.sums(&chain) {
                     found.once += weight * material.emission();
                 }
-                if scattered != Rgb::ZERO {
+                if material.scattered() != Rgb::ZERO {
                     found.once += weight * once(piece, point);
                     let patch = self.elements.elements[piece as usize].patch.0;
                     let m: Moments = linear.moments_at(patch as usize, point);

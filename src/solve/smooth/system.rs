@@ -333,8 +333,7 @@ impl<'a> System<'a> {
     /// Where the light of the field on `mesh` went; `source` tells the patch of an
     /// element. Unshot is by how much the field differs from what the patches sent.
     ///
-    /// What falls on a surface that shines is counted by who sends it: from there it goes on
-    /// in many ways.
+    /// What mirrors and panes send on is counted by who sent it.
     pub(super) fn ledger(
         &self,
         scene: &Scene,
@@ -362,6 +361,11 @@ impl<'a> System<'a> {
                 power.absorbed += share * sent[k] * corner.lost.absorbed;
                 sky += share * corner.sky;
             }
+        }
+        for (k, element) in mesh.elements.iter().enumerate() {
+            let material = &scene.materials[mesh.patch_of(element).material.0 as usize];
+            power.absorbed -= fine.area[k] * material.translucence() * irradiance[k];
+            sky += fine.area[k] * self.direct.of_sky(&element.polygon);
         }
         let mut ledger = Ledger::draw_up(&fine, &irradiance, &unshot, power);
         ledger.emitted += sky;

@@ -86,6 +86,8 @@ mod pages {
         labs_shoot: "labs/shoot.md",
         labs_certify: "labs/certify.md",
         labs_mirror_world: "labs/mirror-world.md",
+        labs_window: "labs/window.md",
+        labs_cone: "labs/cone.md",
         solving: "solving.md",
         notation: "notation.md",
         bibliography: "bibliography.md",

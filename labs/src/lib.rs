@@ -43,6 +43,8 @@ pub mod substructure;
 pub mod shoot;
 pub mod certify;
 pub mod mirror_world;
+pub mod window;
+pub mod cone;
 
 pub use check::{Bug, Verdict};
 pub use lab::{Lab, Who};
@@ -60,4 +62,6 @@ pub const LABS: &[&Lab] = &[
     &shoot::LAB,
     &certify::LAB,
     &mirror_world::LAB,
+    &window::LAB,
+    &cone::LAB,
 ];

@@ -2,7 +2,7 @@
 
 use radiosity::prelude::DVec3;
 
-// ANCHOR: given
+// ANCHOR: cap
 /// What a point sees of a round lamp: all directions so near to one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cap {
@@ -11,7 +11,9 @@ pub struct Cap {
     /// The angle from there to its rim, in rad, at most π/2.
     pub half_angle: f64,
 }
+// ANCHOR_END: cap
 
+// ANCHOR: glance
 /// A glance along a ray; surfaces that it meets are glossy by this half angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glance {
@@ -24,7 +26,9 @@ pub struct Glance {
     /// Each cone is looked at by `strata` · `strata` rays.
     pub strata: usize,
 }
+// ANCHOR_END: glance
 
+// ANCHOR: hit
 /// What a glance meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
@@ -37,4 +41,4 @@ pub struct Hit {
     /// The share of the mean radiance over the cone that it reflects; 0 for dull ones.
     pub gloss: f64,
 }
-// ANCHOR_END: given
+// ANCHOR_END: hit

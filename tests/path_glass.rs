@@ -215,3 +215,29 @@ fn gloss_shows_its_albedo() {
     }
     by_chance(&all);
 }
+
+/// A frosted pane, which also scatters, lets the same through both ways; light that is
+/// scattered on its front, its black back absorbs.
+#[test]
+fn frosted_panes_pass_the_same_both_ways() {
+    let frosted = Coefficients {
+        diffuse: Rgb::splat(0.3),
+        translucence: Rgb::splat(0.2),
+        ..pane()
+    };
+    let plane = rectangle(dvec3(-0.5, -0.5, 0.0), DVec3::X, DVec3::Y);
+    let lamp = rectangle(dvec3(-0.01, -0.01, 5.0), 0.02 * DVec3::Y, 0.02 * DVec3::X);
+    let through = |plane: Polygon| {
+        let scene = shiny([(plane, frosted), (lamp.clone(), dull(PI, 0.0))]);
+        let tracer = PathTracer::of(&scene);
+        let mut random = Stream::named(8, &[]);
+        let ray = Ray { origin: dvec3(0.0, 0.0, -5.0), direction: DVec3::Z };
+        (0..20_000).map(|_| tracer.radiance(ray, &mut random).x).sum::<f64>() / 2e4
+    };
+    let right = 0.5 * pane_shares(1.0, 1.5).1;
+    let error = (0.25_f64 / 2e4).sqrt();
+    by_chance(&[
+        ("front", through(plane.clone()), error, right),
+        ("back", through(plane.flipped()), error, right),
+    ]);
+}

@@ -212,11 +212,21 @@ pub const ROWS: [Row; 23] = [
             lab: None,
         }),
     },
-    planned(
-        "kinds of light transport: diffuse and specular, in every order",
-        "Kinds of light transport",
-        false,
-    ),
+    Row {
+        topic: "kinds of light transport: diffuse and specular, in every order",
+        title: "Who carries which light?",
+        lab: false,
+        state: State::Done(Written {
+            page: "who-carries-which-light.md",
+            module: "src/trace/classes.rs",
+            figure: "pictures/transport-classes.snap.png",
+            test: (
+                "tests/classes.rs",
+                "both_passes_find_class_by_class_what_paths_find",
+            ),
+            lab: None,
+        }),
+    },
     planned(
         "specular radiosity: the full BRDF in place of the albedo",
         "Specular radiosity",

@@ -23,6 +23,7 @@
 //! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //! | [`patches`]     | figures and numbers of the chapter on substructuring         |
+//! | [`transport`]   | figures and numbers of *Who carries which light?*            |
 //!
 //! `cargo test -p book` runs the gates over the sources and every example of every page;
 //! `cargo run -p book --bin check -- book/book` runs those over the built book.
@@ -49,6 +50,7 @@ pub mod solving;
 pub mod source;
 pub mod surface;
 pub mod timing;
+pub mod transport;
 
 /// Every page of the book, so that `cargo test` runs its examples.
 #[cfg(doctest)]
@@ -75,6 +77,7 @@ mod pages {
         progressive_refinement: "progressive-refinement.md",
         only_what_shines: "only-what-shines.md",
         what_it_needs: "what-it-needs.md",
+        who_carries_which_light: "who-carries-which-light.md",
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",
         labs_brdf: "labs/brdf.md",

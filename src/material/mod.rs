@@ -56,6 +56,7 @@ pub struct Coefficients {
 pub struct Material {
     name: String,
     coefficients: Coefficients,
+    smooth_share: Rgb,
 }
 
 /// Why some [`Coefficients`] make no material.
@@ -160,12 +161,13 @@ impl Material {
             return Err(MaterialError::NotPassive { material: name, sum });
         }
         // ANCHOR_END: passive
-        Ok(Material { name, coefficients })
+        Ok(Material { name, coefficients, smooth_share: Rgb::ONE - diffused })
     }
 
     /// A material that absorbs all light.
     pub fn black(name: impl Into<String>) -> Material {
-        Material { name: name.into(), coefficients: Coefficients::default() }
+        let (name, coefficients) = (name.into(), Coefficients::default());
+        Material { name, coefficients, smooth_share: Rgb::ONE }
     }
 
     /// Its name, as in the MTL file.
@@ -199,9 +201,10 @@ impl Material {
     }
 
     /// Of the light that meets it, the share that Fresnel's law has for reflection and
-    /// refraction: what neither `Kd` nor `Td` takes. In `(0, 1]`.
+    /// refraction: what neither `Kd` nor `Td` takes. In `(0, 1]`. It is the same of a face's
+    /// [back](Material::back), or a pane would let more through one way than the other.
     pub fn smooth_share(&self) -> Rgb {
-        Rgb::ONE - self.scattered()
+        self.smooth_share
     }
 
     /// The material of the other side of a face: the same but for light of its own and,

@@ -144,8 +144,10 @@ fn variant(scene: &Scene, shines: bool, reflects: bool) -> Scene {
     let of = |material: &Material| {
         let shine = if shines { material.shine() } else { Shine::Dull };
         // Of panes and glass, what is not diffuse passes: to change one changes both.
-        let kept = reflects || shine.passes();
-        let share = if kept { 1.0 } else { NEARLY_BLACK };
+        if shine.passes() {
+            return material.clone();
+        }
+        let share = if reflects { 1.0 } else { NEARLY_BLACK };
         let coefficients = Coefficients {
             emission: material.emission(),
             diffuse: share * material.diffuse(),
@@ -174,11 +176,7 @@ fn emission(scene: &Scene) -> Field {
 
 /// The sky as the eye sees it straight: what of a scene that is black is not.
 fn sky_seen(scene: &Scene, shot: &Shot) -> Picture {
-    let black = |material: &Material| {
-        let black = Material::new(material.name(), Coefficients::default());
-        black.unwrap_or_else(|_| material.clone())
-    };
-    let materials = scene.materials.iter().map(black).collect();
+    let materials = scene.materials.iter().map(|m| Material::black(m.name())).collect();
     let scene = Scene { materials, ..scene.clone() };
     let mesh = Mesh::whole(&scene);
     let dark = vec![Rgb::ZERO; mesh.vertices.len()];

@@ -5,10 +5,10 @@
 //! book/data/plan-DATE.csv`, on Linux. Takes some minutes. Times are processor time of one
 //! thread, so that other programs hardly matter.
 
+use book::timing::cpu_milliseconds_of_all as processor;
 use radiosity::plan::Plan;
 use radiosity::scene::built_in;
 use radiosity::solve::Ask;
-use std::fs;
 
 /// Errors asked for.
 const TOLERANCES: [f64; 5] = [0.1, 0.05, 0.02, 0.01, 0.005];
@@ -37,15 +37,4 @@ fn main() {
             );
         }
     }
-}
-
-/// Processor time of all threads so far, in ms, as the kernel counts it.
-fn processor() -> f64 {
-    let tasks = fs::read_dir("/proc/self/task").expect("Linux");
-    let spent = |task: std::io::Result<fs::DirEntry>| {
-        let file = task.ok()?.path().join("schedstat");
-        let text = fs::read_to_string(file).ok()?;
-        text.split_whitespace().next()?.parse::<f64>().ok()
-    };
-    tasks.filter_map(spent).sum::<f64>() / 1e6
 }

@@ -20,8 +20,6 @@ pub(super) struct Met<'s> {
     pub normal: DVec3,
     /// Is it the front of the face: the outside of a solid?
     outside: bool,
-    /// The share of panes and glass, that of the front on either side.
-    smooth_share: Rgb,
 }
 
 impl<'s> Met<'s> {
@@ -36,17 +34,12 @@ impl<'s> Met<'s> {
         let side = &scene.surfaces[k as usize];
         let material = scene.material(side);
         let towards = if acts { 1.0 } else { -1.0 };
-        let front = match (side.side, side.back) {
-            (Side::Back, Some(front)) => &scene.surfaces[front as usize],
-            _ => side,
-        };
         (acts || material.shine().passes()).then_some(Met {
             surface: k,
             material,
             acts,
             normal: towards * side.polygon.normal(),
             outside: (surface.side == Side::Front) == hit.front,
-            smooth_share: scene.material(front).smooth_share(),
         })
     }
 }
@@ -108,7 +101,7 @@ pub(super) fn ways(met: &Met, direction: DVec3, media: &Media) -> SmallVec<[Way;
         may(Letter::D, td, scattered(Lobe::Lambert, -normal));
         // ANCHOR_END: ways
     }
-    let cosine = -direction.dot(normal);
+    let (cosine, smooth) = (-direction.dot(normal), met.material.smooth_share());
     match met.material.shine() {
         Shine::Mirror { reflectance } => may(Letter::S, reflectance, mirrored()),
         Shine::Gloss { reflectance, exponent } => {
@@ -116,18 +109,18 @@ pub(super) fn ways(met: &Met, direction: DVec3, media: &Media) -> SmallVec<[Way;
         }
         Shine::Pane { index, tint } => {
             let (r, t) = pane(cosine.min(1.0), index);
-            may(Letter::S, met.smooth_share * r, mirrored());
-            may(Letter::S, met.smooth_share * tint * t, Event::Passed);
+            may(Letter::S, smooth * r, mirrored());
+            may(Letter::S, smooth * tint * t, Event::Passed);
         }
         Shine::Glass { index, tint } => {
             let (here, beyond, inner) = across(media, index, met.outside);
             let eta = here / beyond;
             let r = fresnel(cosine.min(1.0), eta).mean();
-            may(Letter::S, met.smooth_share * r, mirrored());
+            may(Letter::S, smooth * r, mirrored());
             if let Some(direction) = refract(direction, normal, eta) {
                 // Snell's law leaves L/n² alone.
                 let event = Event::Bent { direction, media: inner, denser: eta * eta };
-                may(Letter::S, met.smooth_share * tint * (1.0 - r), event);
+                may(Letter::S, smooth * tint * (1.0 - r), event);
             }
         }
         Shine::Dull => {}

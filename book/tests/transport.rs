@@ -1,0 +1,24 @@
+//! Pictures and numbers of the chapter *Who carries which light?*, as snapshots and claims.
+//!
+//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test transport`, and look.
+
+#[path = "../../tests/common/picture.rs"]
+mod picture;
+
+use book::transport::{cost, parts};
+use picture::assert_picture;
+
+const PICTURES: &str = "src/pictures";
+
+#[test]
+fn a_picture_and_its_parts() {
+    assert_picture(PICTURES, "transport-whole", &parts::whole());
+    assert_picture(PICTURES, "transport-classes", &parts::sheet());
+}
+
+/// What the chapter claims of its chart.
+#[test]
+fn both_ways_together_are_the_fastest() {
+    assert!(cost::longer("lobes") > 2.0, "{}", cost::longer("lobes"));
+    assert!(cost::longer("lamps") > 1.0, "{}", cost::longer("lamps"));
+}

@@ -318,8 +318,8 @@ fn every_built_in_scene_comes_back_bit_for_bit() {
         let (back, _) = obj::load(&paths[0]).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(back, scene, "{}", b.name);
     }
-    // Nothing but the scenes, one with a panorama, is left behind.
-    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 2 * builtins().len() + 1);
+    // Nothing but the scenes is left behind.
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 2 * builtins().len());
 }
 
 /// Names that one line cannot hold, or that two materials share, are made to fit.

@@ -60,6 +60,8 @@ pub struct Comparison {
     pub classes: Table,
     /// The factor on radiance with which all are shown.
     pub exposure: f64,
+    /// Pass 1 of the scene.
+    pub solution: Solution,
 }
 
 /// A picture and what it cost.
@@ -75,15 +77,17 @@ impl Comparison {
         progress: Progress,
     ) -> Comparison {
         let dull = scene.dulled();
-        let (solution, dull_seconds) = timed(clock, || solved(&dull, effort, progress));
-        let classical = smooth(&solution, shot, clock, dull_seconds);
+        let (plain, seconds) = timed(clock, || solved(&dull, effort, progress));
+        let classical = smooth(&plain, shot, clock, seconds);
         let (solution, first) = timed(clock, || solved(scene, effort, progress));
         let one = smooth(&solution, shot, clock, first);
+        // ANCHOR: two_pass
         let (two, second) = timed(clock, || {
             let (mesh, light) = (&solution.mesh, &solution.vertex_radiosity);
             let options = Options { seed: effort.seed, ..Options::default() };
             TwoPass::of(scene, mesh, light, options).picture(shot, progress).picture
         });
+        // ANCHOR_END: two_pass
         let rays = timed(clock, || {
             Whitted::of(scene, Limits::default()).picture(shot, progress).picture
         });
@@ -91,10 +95,15 @@ impl Comparison {
             PathTracer::of(scene).picture(shot, effort.paths, effort.seed, progress)
         });
         let made = [classical, rays, one, (two, first + second)];
-        Comparison::compared(made, reference, seconds)
+        Comparison::compared(made, reference, seconds, solution)
     }
 
-    fn compared(made: [Made; 4], reference: Traced, seconds: f64) -> Comparison {
+    fn compared(
+        made: [Made; 4],
+        reference: Traced,
+        seconds: f64,
+        solution: Solution,
+    ) -> Comparison {
         let Traced { picture, error, classes, .. } = reference;
         let exposure = picture.auto_exposure();
         let counts = not_white(&picture, exposure);
@@ -103,15 +112,17 @@ impl Comparison {
         let noise = rms(&sigma, None, &counts) / mean(&picture, &counts);
         let panel = |(name, about): (_, _), (shown, seconds): Made| {
             let truth = mean(&picture, &counts);
+            // ANCHOR: error
             let rms = rms(&shown, Some(&picture), &counts) / truth;
             let error = (rms * rms - noise * noise).max(0.0).sqrt();
             let brightness = mean(&shown, &counts) / truth;
+            // ANCHOR_END: error
             Panel { name, about, picture: shown, seconds, rms, error, brightness }
         };
         let mut panels: Vec<Panel> =
             NAMES.into_iter().zip(made).map(|(name, made)| panel(name, made)).collect();
         panels.push(panel(REFERENCE, (picture.clone(), seconds)));
-        Comparison { panels, counts, noise, classes, exposure }
+        Comparison { panels, counts, noise, classes, exposure, solution }
     }
 
     /// The panel of this name.
@@ -126,10 +137,12 @@ impl Comparison {
 
     /// Processor seconds that random paths would need for the error of `panel`; `None`
     /// where that is lost in the noise.
+    // ANCHOR: paths_seconds
     pub fn paths_seconds(&self, panel: &Panel) -> Option<f64> {
         let seconds = self.reference().seconds * (self.noise / panel.error).powi(2);
         (panel.error > 0.5 * self.noise).then_some(seconds)
     }
+    // ANCHOR_END: paths_seconds
 
     /// The difference of a panel from the reference, per pixel: luminance, relative to the
     /// mean of the reference; as a picture.

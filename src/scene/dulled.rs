@@ -28,6 +28,7 @@ impl Scene {
 
 fn dulled(material: &Material) -> Material {
     let (mut diffuse, mut translucence) = (material.diffuse(), material.translucence());
+    // ANCHOR: dulled
     match material.shine() {
         Shine::Dull => return material.clone(),
         Shine::Mirror { reflectance } | Shine::Gloss { reflectance, .. } => {
@@ -40,6 +41,7 @@ fn dulled(material: &Material) -> Material {
             translucence += share * tint * t;
         }
     }
+    // ANCHOR_END: dulled
     let scale = (MOST / (diffuse + translucence).max_element()).min(1.0);
     let coefficients = Coefficients {
         emission: material.emission(),

@@ -14,7 +14,7 @@ use super::{Builder, Hole};
 use crate::geometry::Rgb;
 use crate::material::Shine;
 use crate::scene::{Camera, MaterialId, Scene};
-use crate::sky::{Panorama, Sky};
+use crate::sky::Sky;
 use glam::{DVec3, dvec3};
 
 /// All of it: 6 m × 5 m × 3 m.
@@ -29,7 +29,8 @@ pub(super) fn gallery() -> Scene {
         up: DVec3::Y,
         fov: 62.0,
     };
-    Scene { sky: Some(evening()), ..builder.scene("gallery", camera) }
+    let sky = Sky::overcast(Rgb::new(5.0, 7.0, 11.0), DVec3::Y);
+    Scene { sky: Some(sky), ..builder.scene("gallery", camera) }
 }
 
 /// Floor, ceiling and walls with what hangs on them.
@@ -116,19 +117,4 @@ fn screen(builder: &mut Builder) {
     builder.face(paper, &leaf((4.35, 1.75), (5.0, 2.15)));
     builder.face(paper, &leaf((5.0, 2.15), (5.75, 1.9)));
     builder.block(&square(5.1, 1.5, 0.12), 1.1, lamp);
-}
-
-/// Row by row from blue above to orange at the horizon, and dark ground.
-fn evening() -> Sky {
-    let radiance = |direction: DVec3| {
-        let [low, high] = [Rgb::new(9.0, 6.6, 4.8), Rgb::new(2.4, 4.2, 8.4)];
-        match direction.y {
-            y if y < 0.0 => Rgb::new(0.8, 0.7, 0.5),
-            y => low.lerp(high, y.sqrt()),
-        }
-    };
-    let painted = Panorama::painted(128, 64, radiance).expect("radiances are positive");
-    // As the .hdr file has it, so that an exported gallery is the same.
-    let bytes = painted.encode().expect("it can be encoded");
-    Sky::panorama(Panorama::decode(&bytes).expect("it can be decoded"), DVec3::Y)
 }

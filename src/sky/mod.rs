@@ -29,10 +29,12 @@ mod cie;
 mod file;
 mod grid;
 mod panorama;
+mod suns;
 
 pub use cie::cie_coefficients;
 pub use file::{SkyError, SkyTrouble};
 pub use panorama::{Panorama, PanoramaError};
+pub use suns::Sun;
 
 use crate::geometry::Rgb;
 use cie::Cie;

@@ -174,6 +174,11 @@ impl Panorama {
         sum
     }
 
+    /// The direction of a place, in columns from the left and rows from above.
+    pub(super) fn direction(&self, column: f64, row: f64) -> DVec3 {
+        self.grid.direction(column, row)
+    }
+
     fn cell_at(&self, column: usize, row: usize) -> Cell {
         Cell {
             polar: [row, row + 1].map(|edge| self.grid.polar(edge as f64)),

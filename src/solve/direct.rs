@@ -7,12 +7,14 @@
 //! no noise, a shadow edge where it belongs. In a mirror it is seen as its image
 //! ([`VirtualWorld`]). So the solvers need only find the light that was reflected
 //! diffusely at least once, which varies slowly. An opening through which the sky is seen
-//! is an emitter, too: one whose radiance depends on the direction.
+//! is an emitter, too: one whose radiance depends on the direction. So is a sun in the sky:
+//! one that is far away.
 
 use super::portals::portals;
 use crate::geometry::{Polygon, Rgb};
+use crate::radiometry::solid_angle;
 use crate::scene::Scene;
-use crate::sky::Sky;
+use crate::sky::{Sky, Sun};
 use crate::specular::Chain;
 use crate::virtual_world::{Sight, VirtualWorld};
 use glam::DVec3;
@@ -24,12 +26,36 @@ const MOST_EMITTERS: usize = 32;
 /// So many images of each emitter: a second level of reflections, if it keeps within this.
 const MOST_IMAGES: usize = 64;
 
+/// A texel that sends more than this share of the sky's light is summed as a lamp is.
+const SUN: f64 = 0.005;
+const MOST_SUNS: usize = 16;
+
+/// So many times the size of the scene a sun is away: it stands still.
+const FAR: f64 = 1e5;
+
+/// The sun as a lamp: its emission such that it sends what the texel does.
+fn lamp_far_away(sun: &Sun, scene: &Scene) -> Option<(Polygon, Rgb)> {
+    let (low, high) = scene.bounds();
+    let (middle, away) = (low.midpoint(high), FAR * scene.diagonal());
+    let corners = sun.corners.iter().rev().map(|&c| middle + away * c).collect();
+    let mut lamp = Polygon::new(corners).ok()?;
+    if lamp.plane().height(middle) < 0.0 {
+        lamp = lamp.flipped();
+    }
+    let seen = solid_angle(middle, &lamp);
+    Some((lamp, PI * sun.radiance * (sun.solid_angle / seen)))
+}
+
 /// The emitters of a scene, their images, and what may stand before them.
 pub struct Direct<'a> {
     emitters: Vec<(&'a Polygon, Rgb)>,
     /// Openings to the sky; none when it is also seen elsewhere.
     portals: Vec<Polygon>,
+    /// Texels of the sky that are lamps of their own: far away.
+    suns: Vec<(Polygon, Rgb)>,
     sky: Option<&'a Sky>,
+    /// The sky without them.
+    rest: Option<Sky>,
     world: VirtualWorld,
 }
 
@@ -57,7 +83,11 @@ impl<'a> Direct<'a> {
         }
         let sky = scene.sky.as_ref().filter(|sky| sky.shines());
         let portals = if sky.is_some() { portals(scene) } else { Vec::new() };
-        Direct { emitters, portals, sky, world }
+        let parted = sky.and_then(|sky| sky.without_suns(SUN, MOST_SUNS));
+        let (suns, rest) = parted.unzip();
+        let far = |sun: &Sun| lamp_far_away(sun, scene);
+        let suns = suns.iter().flatten().filter_map(far).collect();
+        Direct { emitters, portals, suns, sky, rest, world }
     }
 
     /// How many images are looked at, the world itself being the first.
@@ -80,9 +110,15 @@ impl<'a> Direct<'a> {
         self.sums_emitters() && self.follows(chain)
     }
 
-    /// Is light of the sky summed that comes this way?
-    pub fn sums_sky(&self, chain: &Chain) -> bool {
-        !self.portals.is_empty() && self.follows(chain)
+    /// The radiance, in W/(m² sr), of the sky for a ray that leaves the scene in this
+    /// direction, but for what is summed here.
+    pub fn other_sky(&self, direction: DVec3, chain: &Chain) -> Rgb {
+        let Some(sky) = self.sky else { return Rgb::ZERO };
+        match self.follows(chain) {
+            true if !self.portals.is_empty() => Rgb::ZERO,
+            true => self.rest.as_ref().unwrap_or(sky).radiance(direction),
+            false => sky.radiance(direction),
+        }
     }
 
     fn follows(&self, chain: &Chain) -> bool {
@@ -91,7 +127,7 @@ impl<'a> Direct<'a> {
 
     /// The sky's part of the light in the middle of `piece`, W/m².
     pub fn of_sky(&self, piece: &Polygon) -> Rgb {
-        match self.portals.is_empty() {
+        match self.portals.is_empty() && self.suns.is_empty() {
             true => Rgb::ZERO,
             false => self.on(piece).of_sky(piece.centroid()),
         }
@@ -100,16 +136,17 @@ impl<'a> Direct<'a> {
     /// The light on `piece`, a part of a surface: only what reaches into the shafts between
     /// it and the emitters is asked about.
     pub fn on(&self, piece: &Polygon) -> OnPiece<'_> {
-        let lamp = |&(emitter, e): &(&Polygon, Rgb)| {
+        let lamp = |emitter: &Polygon, e: Rgb| {
             let sights = self.world.sights(piece, emitter).into_iter();
             sights.map(move |sight| (sight, e))
         };
         let of_sky = |portal| self.world.sights(piece, portal).into_iter();
         OnPiece {
             normal: piece.normal(),
-            lamps: self.emitters.iter().flat_map(lamp).collect(),
+            lamps: self.emitters.iter().flat_map(|l| lamp(l.0, l.1)).collect(),
+            suns: self.suns.iter().flat_map(|l| lamp(&l.0, l.1)).collect(),
             portals: self.portals.iter().flat_map(of_sky).collect(),
-            sky: self.sky,
+            sky: self.rest.as_ref().or(self.sky),
         }
     }
 }
@@ -118,6 +155,7 @@ impl<'a> Direct<'a> {
 pub struct OnPiece<'a> {
     normal: DVec3,
     lamps: Vec<(Sight, Rgb)>,
+    suns: Vec<(Sight, Rgb)>,
     portals: Vec<Sight>,
     sky: Option<&'a Sky>,
 }
@@ -125,24 +163,30 @@ pub struct OnPiece<'a> {
 impl OnPiece<'_> {
     /// `H_direct`, W/m², at the point `x` of the piece.
     pub fn irradiance(&self, x: DVec3) -> Rgb {
-        let from = |(sight, e): &(Sight, Rgb)| *e * sight.factor(x, self.normal);
-        self.lamps.iter().map(from).sum::<Rgb>() + self.of_sky(x)
+        self.of_lamps(&self.lamps, x) + self.of_sky(x)
+    }
+
+    fn of_lamps(&self, lamps: &[(Sight, Rgb)], x: DVec3) -> Rgb {
+        lamps.iter().map(|(sight, e)| *e * sight.factor(x, self.normal)).sum()
     }
 
     /// What of it is the sky's.
     pub fn of_sky(&self, x: DVec3) -> Rgb {
-        let Some(sky) = self.sky else { return Rgb::ZERO };
+        let suns = self.of_lamps(&self.suns, x);
+        let Some(sky) = self.sky.filter(|_| !self.portals.is_empty()) else {
+            return suns;
+        };
         // Relative to a typical radiance, so that what is even is judged by that.
         let typical =
             (sky.irradiance(sky.up()).max_element() / PI).max(f64::MIN_POSITIVE);
         let radiance = |direction: DVec3| sky.radiance(direction) / typical;
         let from = |sight: &Sight| sight.irradiance(x, self.normal, &radiance);
-        typical * self.portals.iter().map(from).sum::<Rgb>()
+        suns + typical * self.portals.iter().map(from).sum::<Rgb>()
     }
 
     /// Can nothing come between the piece and its emitters?
     pub fn is_free(&self) -> bool {
-        self.lamps.iter().all(|(sight, _)| sight.is_free())
+        self.lamps.iter().chain(&self.suns).all(|(sight, _)| sight.is_free())
             && self.portals.iter().all(Sight::is_free)
     }
 }

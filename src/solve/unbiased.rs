@@ -127,10 +127,8 @@ impl Walker<'_> {
                         places.push((back, point, weight * material.translucence()));
                     }
                 }
-                Met::Sky(direction) if !self.direct.sums_sky(chain) => {
-                    let sky =
-                        self.scene.sky.as_ref().map(|sky| sky.radiance(direction));
-                    light += weight * PI * sky.unwrap_or_default();
+                Met::Sky(direction) => {
+                    light += weight * PI * self.direct.other_sky(direction, chain);
                 }
                 _ => {}
             }

@@ -165,9 +165,8 @@ impl<'a> Gathering<'a> {
                     found.met.push((h, share));
                 }
             }
-            Met::Sky(direction) if !self.direct.sums_sky(chain) => {
-                let sky = self.scene.sky.as_ref().map(|sky| sky.radiance(direction));
-                found.light += share * PI * sky.unwrap_or_default();
+            Met::Sky(direction) => {
+                found.light += share * PI * self.direct.other_sky(direction, chain);
             }
             _ => {}
         }

@@ -9,9 +9,10 @@
 
 use crate::form_factor::linear::{Linear, Moments, Onwards};
 use crate::geometry::{Ray, Rgb};
+use crate::material::Shine;
 use crate::mesh::Mesh;
 use crate::random::Stream;
-use crate::scene::Scene;
+use crate::scene::{Scene, Surface};
 use crate::solve::Direct;
 use crate::solve::ledger::LostPower;
 use crate::specular::{Arrival, Branching, Carries, Chain, Met, Specular};
@@ -21,8 +22,12 @@ use std::f64::consts::PI;
 /// Moments per channel.
 pub(super) type Coloured = [Rgb; 4];
 
-/// Rays that a whole hemicube of mirrors would send onwards.
+/// Rays that a whole hemicube of flat mirrors would send onwards.
 const RAYS: f64 = 512.0;
+
+/// The same where gloss or glass bends them: these have to find the lamps, too, which flat
+/// mirrors show as images.
+const RAYS_BENT: f64 = 4096.0;
 
 /// What the rays of a corner found.
 #[derive(Clone, Debug, Default)]
@@ -42,13 +47,23 @@ pub(super) struct Onward<'a> {
     scene: &'a Scene,
     elements: &'a Mesh,
     rays: Specular<'a>,
+    /// How many a whole hemicube sends onwards.
+    density: f64,
 }
 
 impl<'a> Onward<'a> {
     pub fn new(scene: &'a Scene, elements: &'a Mesh) -> Onward<'a> {
         let pieces = elements.elements.iter();
         let pieces = pieces.map(|e| (elements.surface_of(e), &e.polygon));
-        Onward { scene, elements, rays: Specular::of_pieces(scene, pieces) }
+        let bends = |s: &Surface| {
+            matches!(
+                scene.material(s).shine(),
+                Shine::Gloss { .. } | Shine::Glass { .. }
+            )
+        };
+        let density = if scene.surfaces.iter().any(bends) { RAYS_BENT } else { RAYS };
+        let rays = Specular::of_pieces(scene, pieces);
+        Onward { scene, elements, rays, density }
     }
 
     /// Which patches rays go on from.
@@ -66,9 +81,9 @@ impl<'a> Onward<'a> {
     }
 
     /// The light of the sky in these cells, W/m².
-    pub fn sky(&self, cells: &[(DVec3, f64)]) -> Rgb {
-        let radiance = |d: DVec3| self.scene.sky.as_ref().map(|sky| sky.radiance(d));
-        cells.iter().map(|&(d, f)| PI * f * radiance(d).unwrap_or_default()).sum()
+    pub fn sky(&self, direct: &Direct, cells: &[(DVec3, f64)]) -> Rgb {
+        let radiance = |d: DVec3| direct.other_sky(d, &Chain::default());
+        cells.iter().map(|&(d, f)| PI * f * radiance(d)).sum()
     }
 
     /// What is found beyond these cells. `once` is the radiosity of an element at a point:
@@ -84,11 +99,11 @@ impl<'a> Onward<'a> {
         let mut found = Beyond::default();
         let name = point.to_array().map(f64::to_bits);
         let mut random = Stream::named(0, &name);
-        let (mut sum, mut next) = (0.0, random.next() / RAYS);
+        let (mut sum, mut next) = (0.0, random.next() / self.density);
         for &(direction, share) in cells {
             sum += share;
             while sum > next {
-                next += 1.0 / RAYS;
+                next += 1.0 / self.density;
                 let ray = Ray { origin: point, direction };
                 let how = (Branching::One, Carries::Radiance);
                 self.rays.follow((ray, None), how, &mut random, &mut |arrival| {
@@ -116,7 +131,7 @@ impl<'a> Onward<'a> {
         found: &mut Beyond,
     ) {
         let &Arrival { met, weight, chain } = arrival;
-        let weight = weight / RAYS;
+        let weight = weight / self.density;
         let first = chain == Chain::default();
         if !first {
             found.lost.absorbed -= weight; // it went on from where it had arrived
@@ -124,8 +139,7 @@ impl<'a> Onward<'a> {
         match met {
             Met::Sky(direction) => {
                 found.lost.escaped += weight;
-                let sky = self.scene.sky.as_ref().filter(|_| !direct.sums_sky(&chain));
-                let light = sky.map_or(Rgb::ZERO, |sky| PI * sky.radiance(direction));
+                let light = PI * direct.other_sky(direction, &chain);
                 found.once += weight * light;
                 found.sky += weight * light;
             }

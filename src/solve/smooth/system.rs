@@ -9,7 +9,6 @@ use crate::mesh::{Backs, Element, Mesh, Place};
 use crate::scene::Scene;
 use crate::solve::ledger::LostPower;
 use crate::solve::{Direct, Enclosure, Ledger, Progress};
-use crate::specular::Chain;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -200,10 +199,7 @@ impl<'a> System<'a> {
             |(e, m): &(u32, Moments)| sent(&self.once_by_element[*e as usize], m);
         let once = whole.iter().map(of_patch).sum::<Rgb>()
             + elements.iter().map(of_element).sum::<Rgb>();
-        let sky_light = match self.direct.sums_sky(&Chain::default()) {
-            true => Rgb::ZERO,
-            false => self.onward.sky(&sky),
-        };
+        let sky_light = self.onward.sky(self.direct, &sky);
         let beyond = match onwards.is_empty() {
             true => Beyond::default(),
             false => self.beyond(point, &onwards),
@@ -363,8 +359,6 @@ impl<'a> System<'a> {
             }
         }
         for (k, element) in mesh.elements.iter().enumerate() {
-            let material = &scene.materials[mesh.patch_of(element).material.0 as usize];
-            power.absorbed -= fine.area[k] * material.translucence() * irradiance[k];
             sky += fine.area[k] * self.direct.of_sky(&element.polygon);
         }
         let mut ledger = Ledger::draw_up(&fine, &irradiance, &unshot, power);

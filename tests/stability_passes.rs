@@ -52,7 +52,7 @@ fn look_at(x: DVec3) -> Ray {
 #[test]
 fn rows_64_and_65_the_mirrored_lamp_is_lost_or_counted_twice() {
     let (scene, x, straight, mirrored) = floor_lamp_and_mirror();
-    let (seen, _) = Whitted::of(&scene, Limits::default()).radiance(&look_at(x));
+    let seen = Whitted::of(&scene, Limits::default()).along(&look_at(x)).radiance;
     let right = RHO * (straight + mirrored) / PI;
     let lost = right - seen.x;
     assert!((lost - RHO * mirrored / PI).abs() < 1e-9, "{lost}");
@@ -108,7 +108,7 @@ fn row_66_plain_radiosity_takes_mirrors_for_black() {
         }
     }
     let second = TwoPass::of(&scene, &mesh, &plain, Options::default());
-    let (seen, _) = second.radiance(&look_at(x));
+    let seen = second.along(&look_at(x)).radiance;
     assert!((seen.x - RHO * straight / PI).abs() < 1e-12, "{seen}");
 
     // A lamp before a mirror, both unit squares.
@@ -153,7 +153,7 @@ fn row_73_recursion_is_cut_at_its_depth() {
         let options =
             Options { limits: Limits { depth, weight: 0.0 }, ..Options::default() };
         let ray = Ray { origin: dvec3(0.4, 0.3, 0.5), direction: DVec3::Z };
-        let (seen, _) = TwoPass::of(&scene, &mesh, &glow, options).radiance(&ray);
+        let seen = TwoPass::of(&scene, &mesh, &glow, options).along(&ray).radiance;
         let truncated = number(&case["expected"]["radiance_truncated"]);
         assert!(
             (seen.x - truncated).abs() < 1e-9 * truncated,

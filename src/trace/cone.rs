@@ -70,7 +70,6 @@ impl Cone {
     ///
     /// # Accuracy
     /// Rounding of π sin²β, for outlines that do not pass through `p`.
-    // ANCHOR: overlap
     pub fn overlap(&self, p: DVec3, n: DVec3, outline: &[DVec3]) -> f64 {
         debug_assert!((0.0..=FRAC_PI_2 + 1e-12).contains(&self.half_angle));
         let above = clip(outline, Plane::through(p, n));
@@ -95,7 +94,6 @@ impl Cone {
             None => 0.0,
         }
     }
-    // ANCHOR_END: overlap
 }
 
 /// 1 when the corners run counter-clockwise about what they enclose, as seen from within;
@@ -140,12 +138,12 @@ impl Contour {
     }
 
     /// The part of the edge from `a` to `b` that is inside the cone.
-    // ANCHOR: edge
     fn edge(&mut self, a: DVec3, b: DVec3) {
         let Some(m) = a.cross(b).try_normalize() else { return };
         let along = a.normalize();
         let across = m.cross(along);
         let length = along.cross(b).length().atan2(along.dot(b));
+        // ANCHOR: edge
         // The angle to the axis is a cosine of the place t on the edge's great circle.
         let (x, y) = (along.dot(self.cone.z), across.dot(self.cone.z));
         let reach = x.hypot(y);
@@ -153,6 +151,7 @@ impl Contour {
             return;
         }
         let (middle, half) = (y.atan2(x), (self.cosine / reach).acos());
+        // ANCHOR_END: edge
         for middle in [middle, middle + TAU] {
             let (from, to) = (middle - half, middle + half);
             let (enters, leaves) = (from > 0.0, to < length);
@@ -160,6 +159,7 @@ impl Contour {
                 continue;
             }
             self.crossed = true;
+            // ANCHOR: edge_parts
             let at = |t: f64| t.cos() * along + t.sin() * across;
             if enters {
                 self.enter(at(from));
@@ -168,9 +168,9 @@ impl Contour {
             if leaves {
                 self.left = Some(self.angle(at(to)));
             }
+            // ANCHOR_END: edge_parts
         }
     }
-    // ANCHOR_END: edge
 
     /// An angle about the axis, in `(-π, π]`.
     fn angle(&self, w: DVec3) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::tree::{Journey, Meeting, Shade, Tally, Tree};
 use crate::film::{Picture, Shot};
-use crate::geometry::Rgb;
+use crate::geometry::{Ray, Rgb};
 use crate::mesh::Mesh;
 use crate::raster::{ItemBuffer, Seen, View};
 use crate::solve::Progress;
@@ -18,6 +18,27 @@ pub struct Shown {
     /// The weight of what was cut at the [`Limits`](super::Limits), in the mean over the pixels: times the
     /// largest radiance of the scene it is what the picture lacks at the most.
     pub cut: Rgb,
+}
+
+/// What comes against one ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Along {
+    /// W/(m² sr).
+    pub radiance: Rgb,
+    /// How many rays were followed.
+    pub rays: u64,
+    /// The weight of what was cut, as in [`Shown::cut`].
+    pub cut: Rgb,
+}
+
+impl Along {
+    /// By a tree of rays that begins with this one.
+    pub(super) fn of(tree: &Tree, ray: &Ray, seed: u64, shade: Shade) -> Along {
+        let mut tally = Tally { seed, ..Tally::default() };
+        let from = (ray, None);
+        let radiance = tree.arriving(from, &Journey::start(), &mut tally, shade);
+        Along { radiance, rays: tally.rays, cut: tally.cut }
+    }
 }
 
 /// What a sample of a pixel sees first.

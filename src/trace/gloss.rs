@@ -30,9 +30,9 @@ pub enum LobeAs {
 }
 
 impl Default for Gloss {
-    /// A stack of 4 cones, and 8 rays.
+    /// A stack of 8 cones, and 8 rays.
     fn default() -> Gloss {
-        Gloss { lobe: LobeAs::Stack(4), rays: 8 }
+        Gloss { lobe: LobeAs::Stack(8), rays: 8 }
     }
 }
 
@@ -62,8 +62,8 @@ impl Glossy {
     /// ```text
     /// L = Ks (n + 2)/2π Σ_lamps E/π · mean of Ω⊥(lamp ∩ cone) over the stack
     /// ```
-    // ANCHOR: of_lamps
     pub(super) fn of_lamps(&self, lamps: &Lamps, how: &Gloss, offset: f64) -> Rgb {
+        // ANCHOR: of_lamps
         let (cones, counts) = self.cones(how, offset);
         let mut sum = Rgb::ZERO;
         for (radiance, pieces) in lamps.seen_from(self.at.surface, self.at.point) {
@@ -74,8 +74,8 @@ impl Glossy {
             sum += radiance * overlaps.sum::<f64>();
         }
         counts * sum
+        // ANCHOR_END: of_lamps
     }
-    // ANCHOR_END: of_lamps
 
     /// The cones that stand for the lobe, and what radiance counts in each for every
     /// steradian of projected solid angle.

@@ -36,7 +36,7 @@ mod whitted;
 pub use class_table::{ByClass, classes_of_two_passes};
 pub use classes::{CLASSES, Class, Letter, Light, Owner, Row, Table, Word};
 pub use cone::Cone;
-pub use expose::Shown;
+pub use expose::{Along, Shown};
 pub use gloss::{Gloss, LobeAs};
 pub use path::{Estimate, PathTracer, Strategy, Traced};
 pub use tree::Limits;

@@ -4,7 +4,7 @@ use crate::geometry::{Ray, Rgb};
 use crate::material::optics::{fresnel, pane, reflect, refract};
 use crate::material::{Material, Shine};
 use crate::random::Stream;
-use crate::scene::{MaterialId, Scene};
+use crate::scene::Scene;
 use crate::visibility::Visibility;
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -40,12 +40,12 @@ pub(super) struct Meeting {
 /// How a ray came to where it is.
 #[derive(Clone, Debug)]
 pub(super) struct Journey {
-    /// What its radiance counts in the picture.
+    /// What its light counts in the picture: the product of all shares.
     pub weight: Rgb,
     /// How often it was sent on.
     pub depth: u32,
-    /// The solids that it is in, the innermost last.
-    pub inside: SmallVec<[MaterialId; 4]>,
+    /// The indices of the solids that it is in, the innermost last.
+    pub inside: SmallVec<[f64; 4]>,
     /// Are lamps that it meets next dark, because their light is counted already?
     pub lamps_are_counted: bool,
 }
@@ -62,9 +62,11 @@ impl Journey {
 #[derive(Debug)]
 struct Branch {
     direction: DVec3,
-    /// What the radiance that comes from there counts.
+    /// What the light that comes from there counts.
     share: Rgb,
-    inside: SmallVec<[MaterialId; 4]>,
+    /// By how much Snell's law thins its radiance: `(n here / n there)²`.
+    thinner: f64,
+    inside: SmallVec<[f64; 4]>,
 }
 
 /// What is counted while a sample of a pixel is traced, and what its random numbers are
@@ -128,7 +130,6 @@ impl<'s> Tree<'s> {
     }
 
     /// The radiance, W/(m² sr), that comes against a ray.
-    // ANCHOR: arriving
     pub(super) fn arriving(
         &self,
         (ray, leaving): (&Ray, Option<u32>),
@@ -136,6 +137,7 @@ impl<'s> Tree<'s> {
         tally: &mut Tally,
         shade: Shade,
     ) -> Rgb {
+        // ANCHOR: arriving
         tally.rays += 1;
         let Some(hit) = self.visibility.closest(ray, leaving) else {
             return self.sky(ray.direction);
@@ -144,8 +146,8 @@ impl<'s> Tree<'s> {
         let (surface, direction, front) = (hit.item, ray.direction, hit.front);
         let at = Meeting { surface, point, direction, front };
         self.leaving(&at, journey, tally, shade)
+        // ANCHOR_END: arriving
     }
-    // ANCHOR_END: arriving
 
     /// What a ray finds that leaves the scene.
     pub(super) fn sky(&self, direction: DVec3) -> Rgb {
@@ -153,7 +155,6 @@ impl<'s> Tree<'s> {
     }
 
     /// The radiance, W/(m² sr), that leaves a surface against the ray that meets it.
-    // ANCHOR: leaving
     pub(super) fn leaving(
         &self,
         at: &Meeting,
@@ -161,50 +162,57 @@ impl<'s> Tree<'s> {
         tally: &mut Tally,
         shade: Shade,
     ) -> Rgb {
+        // ANCHOR: leaving
         let mut sum = shade(at, journey, tally);
-        for Branch { direction, share, inside } in self.branches(at, &journey.inside) {
+        for Branch { direction, share, thinner, inside } in
+            self.branches(at, &journey.inside)
+        {
             let Some(on) = self.sent_on(journey, share, inside, tally) else {
                 continue;
             };
             let ray = Ray { origin: at.point, direction };
             let from = (&ray, Some(at.surface));
-            sum += share * self.arriving(from, &on, tally, shade);
+            sum += thinner * share * self.arriving(from, &on, tally, shade);
         }
         sum
+        // ANCHOR_END: leaving
     }
-    // ANCHOR_END: leaving
 
     /// The journey after a bounce that keeps this share, unless it is cut.
-    // ANCHOR: sent_on
     pub(super) fn sent_on(
         &self,
         journey: &Journey,
         share: Rgb,
-        inside: SmallVec<[MaterialId; 4]>,
+        inside: SmallVec<[f64; 4]>,
         tally: &mut Tally,
     ) -> Option<Journey> {
+        // ANCHOR: sent_on
         let (weight, depth) = (journey.weight * share, journey.depth + 1);
         if depth > self.limits.depth || weight.max_element() < self.limits.weight {
             tally.cut += weight;
             return None;
         }
         Some(Journey { weight, depth, inside, lamps_are_counted: false })
+        // ANCHOR_END: sent_on
     }
-    // ANCHOR_END: sent_on
 
     /// The single directions from which light reaches the eye by way of `at`.
     fn branches(
         &self,
         at: &Meeting,
-        inside: &SmallVec<[MaterialId; 4]>,
+        inside: &SmallVec<[f64; 4]>,
     ) -> SmallVec<[Branch; 2]> {
         let surface = &self.scene.surfaces[at.surface as usize];
         let material = self.scene.material(surface);
         let front = surface.polygon.normal();
         let normal = if at.front { front } else { -front };
         let cosine = (-at.direction.dot(normal)).clamp(0.0, 1.0);
-        let branch =
-            |direction, share| Branch { direction, share, inside: inside.clone() };
+        let branch = |direction, share| Branch {
+            direction,
+            share,
+            thinner: 1.0,
+            inside: inside.clone(),
+        };
         let mirrored = |share| branch(reflect(at.direction, normal), share);
         let s = material.smooth_share();
         let mut all: SmallVec<[Branch; 2]> = SmallVec::new();
@@ -217,14 +225,13 @@ impl<'s> Tree<'s> {
                 all.extend([mirrored(r * s), branch(at.direction, t * s * tint)]);
             }
             Shine::Glass { index, tint } => {
-                let (here, beyond, after) =
-                    self.across(surface.material, index, at.front, inside);
+                let (here, beyond, after) = across(index, at.front, inside);
                 let eta = here / beyond;
                 let r = fresnel(cosine, eta).mean();
                 all.push(mirrored(r * s));
                 if let Some(direction) = refract(at.direction, normal, eta) {
-                    let share = (1.0 - r) * eta * eta * s * tint;
-                    all.push(Branch { direction, share, inside: after });
+                    let (share, thinner) = ((1.0 - r) * s * tint, eta * eta);
+                    all.push(Branch { direction, share, thinner, inside: after });
                 }
             }
             Shine::Dull | Shine::Mirror { .. } | Shine::Gloss { .. } => {}
@@ -232,35 +239,25 @@ impl<'s> Tree<'s> {
         all.retain(|branch| branch.share != Rgb::ZERO);
         all
     }
+}
 
-    /// The indices before and behind a face of a solid, and the solids that a ray is in
-    /// behind it.
+/// The indices before and behind a face of a solid, and those of the solids that a ray is
+/// in behind it.
+fn across(
+    index: f64,
+    entering: bool,
+    inside: &SmallVec<[f64; 4]>,
+) -> (f64, f64, SmallVec<[f64; 4]>) {
     // ANCHOR: across
-    fn across(
-        &self,
-        solid: MaterialId,
-        index: f64,
-        entering: bool,
-        inside: &SmallVec<[MaterialId; 4]>,
-    ) -> (f64, f64, SmallVec<[MaterialId; 4]>) {
-        let mut after = inside.clone();
-        if entering {
-            after.push(solid);
-            return (self.innermost(inside), index, after);
-        }
-        if let Some(k) = after.iter().rposition(|&m| m == solid) {
-            after.remove(k); // else the eye began in here
-        }
-        let beyond = self.innermost(&after);
-        (index, beyond, after)
+    let innermost = |inside: &[f64]| inside.last().copied().unwrap_or(1.0);
+    let mut after = inside.clone();
+    if entering {
+        after.push(index);
+        return (innermost(inside), index, after);
     }
-
-    fn innermost(&self, inside: &[MaterialId]) -> f64 {
-        let shine = inside.last().map(|m| self.scene.materials[m.0 as usize].shine());
-        match shine {
-            Some(Shine::Glass { index, .. }) => index,
-            _ => 1.0,
-        }
+    if let Some(k) = after.iter().rposition(|&n| n == index) {
+        after.remove(k); // else the eye began in here
     }
+    (index, innermost(&after), after)
     // ANCHOR_END: across
 }

@@ -1,6 +1,6 @@
 //! The second of two passes: diffuse light is known, what shines is followed.
 
-use super::expose::{First, Shown, expose, followed};
+use super::expose::{Along, First, Shown, expose, followed};
 use super::gather::gathered;
 use super::gloss::{Gloss, Glossy};
 use super::lamps::{Lamps, Panes};
@@ -85,11 +85,11 @@ impl<'s> TwoPass<'s> {
     }
     // ANCHOR_END: picture
 
-    /// The radiance, W/(m² sr), that comes against a ray, and how many rays it took.
-    pub fn radiance(&self, ray: &Ray) -> (Rgb, u64) {
-        let mut tally = Tally { seed: self.options.seed, ..Tally::default() };
-        let radiance = self.arriving((ray, None), &Journey::start(), &mut tally);
-        (radiance, tally.rays)
+    /// What comes against a ray.
+    pub fn along(&self, ray: &Ray) -> Along {
+        Along::of(&self.tree, ray, self.options.seed, &|at, journey, tally| {
+            self.shade(at, journey, tally)
+        })
     }
 
     /// Is all that leaves here stored?
@@ -99,24 +99,12 @@ impl<'s> TwoPass<'s> {
             && self.tree.material(at.surface).shine().is_dull()
     }
 
-    fn arriving(
-        &self,
-        from: (&Ray, Option<u32>),
-        journey: &Journey,
-        tally: &mut Tally,
-    ) -> Rgb {
-        let shade = |at: &Meeting, journey: &Journey, tally: &mut Tally| {
-            self.shade(at, journey, tally)
-        };
-        self.tree.arriving(from, journey, tally, &shade)
-    }
-
     /// The diffuse light and the gloss of what a ray meets.
-    // ANCHOR: shade
     fn shade(&self, at: &Meeting, journey: &Journey, tally: &mut Tally) -> Rgb {
         if !at.front {
             return Rgb::ZERO; // black, unless it is a surface of its own
         }
+        // ANCHOR: shade
         let gathers = self.options.gather > 0 && journey.depth == 0;
         let diffuse =
             if gathers { self.gather(at, journey, tally) } else { self.stored(at) };
@@ -125,8 +113,8 @@ impl<'s> TwoPass<'s> {
             false => Rgb::ZERO,
         };
         diffuse - counted + self.gloss(at, journey, tally)
+        // ANCHOR_END: shade
     }
-    // ANCHOR_END: shade
 
     /// `B/π` as it was found, W/(m² sr).
     // ANCHOR: stored

@@ -1,9 +1,9 @@
 //! Classical ray tracing: mirrors, glass, and lamps; no light between diffuse surfaces.
 
-use super::expose::{Shown, expose, followed};
+use super::expose::{Along, Shown, expose, followed};
 use super::gloss::{Gloss, Glossy};
 use super::lamps::{Lamps, Panes};
-use super::tree::{Journey, Limits, Meeting, Tally, Tree};
+use super::tree::{Limits, Meeting, Tally, Tree};
 use crate::film::Shot;
 use crate::geometry::{Polygon, Ray, Rgb};
 use crate::material::optics::pane;
@@ -53,26 +53,19 @@ impl<'s> Whitted<'s> {
 
     /// What a camera sees. Deterministic: the same at any number of threads.
     pub fn picture(&self, shot: &Shot, progress: Progress) -> Shown {
-        let shade = |at: &Meeting, journey: &Journey, tally: &mut Tally| {
-            self.shade(at, journey, tally)
-        };
+        let shade = |at: &Meeting, _: &_, tally: &mut Tally| self.shade(at, tally);
         let radiance =
             |first: &_, tally: &mut Tally| followed(&self.tree, first, tally, &shade);
         expose(shot, &self.tree, &self.mesh, 0, &radiance, progress)
     }
 
-    /// The radiance, W/(m² sr), that comes against a ray, and how many rays it took.
-    pub fn radiance(&self, ray: &Ray) -> (Rgb, u64) {
-        let shade = |at: &Meeting, journey: &Journey, tally: &mut Tally| {
-            self.shade(at, journey, tally)
-        };
-        let mut tally = Tally::default();
-        let (tree, start) = (&self.tree, Journey::start());
-        (tree.arriving((ray, None), &start, &mut tally, &shade), tally.rays)
+    /// What comes against a ray.
+    pub fn along(&self, ray: &Ray) -> Along {
+        Along::of(&self.tree, ray, 0, &|at, _, tally| self.shade(at, tally))
     }
 
     // ANCHOR: shade
-    fn shade(&self, at: &Meeting, _: &Journey, tally: &mut Tally) -> Rgb {
+    fn shade(&self, at: &Meeting, tally: &Tally) -> Rgb {
         if !at.front {
             return Rgb::ZERO;
         }

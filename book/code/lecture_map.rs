@@ -248,11 +248,18 @@ pub const ROWS: [Row; 23] = [
         "The second pass: the cone",
         true,
     ),
-    planned(
-        "image-based light: rays that leave take the colour of a sky sphere",
-        "The sky: image-based light",
-        true,
-    ),
+    Row {
+        topic: "image-based light: rays that leave take the colour of a sky sphere",
+        title: "Light from the sky",
+        lab: true,
+        state: State::Done(Written {
+            page: "light-from-the-sky.md",
+            module: "src/sky",
+            figure: "pictures/sky-court-2.snap.png",
+            test: ("tests/stability_sky.rs", "a_sun_in_one_texel"),
+            lab: Some("labs/sky.md"),
+        }),
+    },
     planned(
         "comparison pictures: radiosity, ray tracing, two-pass",
         "One scene, four methods",

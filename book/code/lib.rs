@@ -18,6 +18,7 @@
 //! | [`surface`]     | figures and numbers of the chapters L04 and L05              |
 //! | [`shooting`]    | figures and numbers of the chapters on shooting, L13 and L14 |
 //! | [`certificate`] | figures and numbers of *How wrong is it?*                     |
+//! | [`sky`]         | figures and numbers of *Light from the sky*                  |
 //! | [`solving`]     | figures and numbers of the chapter *Solving it*              |
 //! | [`plan`]        | figures and numbers of *What does this scene need?*          |
 //! | [`timing`]      | time and error of a call, for the charts                     |
@@ -46,6 +47,7 @@ pub mod patches;
 pub mod pipeline;
 pub mod plan;
 pub mod shooting;
+pub mod sky;
 pub mod solving;
 pub mod source;
 pub mod surface;
@@ -78,6 +80,7 @@ mod pages {
         only_what_shines: "only-what-shines.md",
         what_it_needs: "what-it-needs.md",
         who_carries_which_light: "who-carries-which-light.md",
+        light_from_the_sky: "light-from-the-sky.md",
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",
         labs_brdf: "labs/brdf.md",
@@ -88,6 +91,7 @@ mod pages {
         labs_substructure: "labs/substructure.md",
         labs_shoot: "labs/shoot.md",
         labs_certify: "labs/certify.md",
+        labs_sky: "labs/sky.md",
         labs_mirror_world: "labs/mirror-world.md",
         labs_window: "labs/window.md",
         labs_cone: "labs/cone.md",

@@ -45,6 +45,7 @@ pub mod certify;
 pub mod mirror_world;
 pub mod window;
 pub mod cone;
+pub mod sky;
 
 pub use check::{Bug, Verdict};
 pub use lab::{Lab, Who};
@@ -64,4 +65,5 @@ pub const LABS: &[&Lab] = &[
     &mirror_world::LAB,
     &window::LAB,
     &cone::LAB,
+    &sky::LAB,
 ];

@@ -187,11 +187,13 @@ impl Sky {
         let (cos, sin) = (n.y, n.x.hypot(n.z));
         match &self.light {
             Light::Uniform(l) => *l * (PI * (1.0 + cos) / 2.0),
+            // ANCHOR: overcast
             Light::Overcast(zenith) => {
                 let behind = PI - sin.atan2(cos); // from the plane's back to the ground
                 let rising = 4.0 / 3.0 * (behind * cos + sin);
                 *zenith * ((PI * (1.0 + cos) / 2.0 + rising) / 3.0)
             }
+            // ANCHOR_END: overcast
             Light::Cie(cie) => cie.irradiance(n),
             Light::Panorama(panorama) => panorama.irradiance(n),
         }

@@ -1,5 +1,5 @@
-//! Laws that every sky obeys: densities that sum to 1, draws that follow them, a furnace,
-//! light that is added up and turned with its observer.
+//! Laws that every sky obeys: densities that sum to 1, draws that follow them, a
+//! furnace, light that is added up and turned with its observer.
 
 use glam::{DMat3, DQuat, DVec3, dvec2, dvec3};
 use proptest::prelude::*;
@@ -59,8 +59,8 @@ fn evenly(n: usize) -> impl Iterator<Item = DVec3> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// `∫ pdf dω = 1`, by points all over the sphere: within five standard errors, as if
-    /// they had been drawn by chance.
+    /// `∫ pdf dω = 1`, by points all over the sphere: within five standard errors, as
+    /// if they had been drawn by chance.
     #[test]
     fn densities_sum_to_one(sky in sky()) {
         let n = 20_000;
@@ -71,9 +71,14 @@ proptest! {
         prop_assert!((mean - 1.0).abs() < 5.0 * error + 1e-12, "{mean} ± {error}");
     }
 
-    /// A mean of `L cosθ/pdf` over draws is the irradiance, within five standard errors.
+    /// A mean of `L cosθ/pdf` over draws is the irradiance, within five standard
+    /// errors.
     #[test]
-    fn draws_find_the_irradiance(sky in sky(), normal in direction(), seed in 0..1000_u64) {
+    fn draws_find_the_irradiance(
+        sky in sky(),
+        normal in direction(),
+        seed in 0..1000_u64,
+    ) {
         let n = 2000;
         let mut random = Stream::named(seed, &[]);
         let (mut sum, mut squares) = (Rgb::ZERO, Rgb::ZERO);
@@ -86,11 +91,14 @@ proptest! {
             squares += light * light;
         }
         let mean = sum / n as f64;
-        let error = ((squares / n as f64 - mean * mean).max(Rgb::ZERO) / n as f64).map(f64::sqrt);
+        let variance = (squares / n as f64 - mean * mean).max(Rgb::ZERO);
+        let error = (variance / n as f64).map(f64::sqrt);
         let expected = sky.irradiance(normal);
-        // Where few draws see the plane their spread says little: a floor for the error.
+        // Where few draws see the plane their spread says little: a floor for the
+        // error.
         let off = (mean - expected).abs() - 5.0 * error;
-        prop_assert!(off.max_element() <= 0.02 * expected.max_element() + 1e-6, "{mean} ± {error}, not {expected}");
+        let floor = 0.02 * expected.max_element() + 1e-6;
+        prop_assert!(off.max_element() <= floor, "{mean} ± {error}, not {expected}");
     }
 
     /// `H(n) − H(−n) = n · ∫ L ω dω`: linear in n, whatever the light.
@@ -100,15 +108,24 @@ proptest! {
         let net = |n: DVec3| sky.irradiance(n) - sky.irradiance(-n);
         let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z].map(net);
         let off = net(n) - (x * n.x + y * n.y + z * n.z);
-        prop_assert!(off.abs().max_element() < 1e-5 * total.max_element().max(1e-3), "{off}");
+        let bound = 1e-5 * total.max_element().max(1e-3);
+        prop_assert!(off.abs().max_element() < bound, "{off}");
     }
 
     /// Whoever turns with the sky sees no change.
     #[test]
-    fn a_turn_of_all_changes_nothing(n in direction(), axis in direction(), angle in 0.0..PI, kind in 1..16_usize) {
+    fn a_turn_of_all_changes_nothing(
+        n in direction(),
+        axis in direction(),
+        angle in 0.0..PI,
+        kind in 1..16_usize,
+    ) {
         let turn = DMat3::from_quat(DQuat::from_axis_angle(axis, angle));
         let sun = Sky::uniform(Rgb::ONE, DVec3::Y).direction(0.7, 0.3);
-        let sky = |turn: DMat3| Sky::cie(cie_coefficients(kind).unwrap(), turn * sun, Rgb::ONE, turn * DVec3::Y);
+        let coefficients = cie_coefficients(kind).unwrap();
+        let sky = |turn: DMat3| {
+            Sky::cie(coefficients, turn * sun, Rgb::ONE, turn * DVec3::Y)
+        };
         let (here, there) = (sky(DMat3::IDENTITY), sky(turn));
         let off = there.irradiance(turn * n) - here.irradiance(n);
         prop_assert!(off.abs().max_element() < 1e-6, "{off}");

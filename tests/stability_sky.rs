@@ -1,5 +1,5 @@
-//! Failures 74 to 76, pinned: skies sampled and summed wrongly, off by as much as theory
-//! says; and that ours are not.
+//! Failures 74 to 76, pinned: skies sampled and summed wrongly, off by as much as
+//! theory says; and that ours are not.
 
 use glam::{DVec3, dvec2, dvec3};
 use radiosity::geometry::{Frame, Rgb};
@@ -14,8 +14,9 @@ fn pieces(n: usize) -> impl Iterator<Item = (f64, f64)> {
     (0..n * n).map(move |k| (at(k % n), at(k / n)))
 }
 
-/// The irradiance of a plane below a uniform sky of radiance 1, found by directions drawn
-/// about its normal and weighted with `2π cosθ`: right for directions even in solid angle.
+/// The irradiance of a plane below a uniform sky of radiance 1, found by directions
+/// drawn about its normal and weighted with `2π cosθ`: right for directions even in
+/// solid angle.
 fn naive(tilt: f64, draw: impl Fn(f64, f64) -> DVec3) -> f64 {
     let sky = Sky::uniform(Rgb::ONE, DVec3::Z);
     let frame = Frame::about(dvec3(tilt.sin(), 0.0, tilt.cos()));
@@ -33,8 +34,9 @@ fn polar(theta: f64, v: f64) -> DVec3 {
 }
 
 /// 74: even in θ crowds the zenith: 2π · 2/π = 4 in place of π, +27 % - and in place of
-/// ½ (1 + cosβ) for a plane that leans. Cosine-weighted and multiplied by the cosine once
-/// more, 2π · ⅔: +33 %; with the weight π of cosine-weighted directions it is −33 %.
+/// ½ (1 + cosβ) for a plane that leans. Cosine-weighted and multiplied by the cosine
+/// once more, 2π · ⅔: +33 %; with the weight π of cosine-weighted directions it is −33
+/// %.
 #[test]
 fn directions_even_in_theta_or_twice_cosined() {
     let even = |u: f64, v: f64| polar(u.acos(), v);
@@ -67,9 +69,9 @@ fn sunny() -> (Panorama, usize) {
     (Panorama::new(width, texels).unwrap(), sun)
 }
 
-/// 75: 256 directions even over the sphere meet the sun's texel once in 98 times (then they
-/// find it 98 times too bright), and miss it else. Drawn by brightness, as many are right
-/// within 10 % in the worst of 4000 runs.
+/// 75: 256 directions even over the sphere meet the sun's texel once in 98 times (then
+/// they find it 98 times too bright), and miss it else. Drawn by brightness, as many
+/// are right within 10 % in the worst of 4000 runs.
 #[test]
 fn a_sun_in_one_texel() {
     let (panorama, sun) = sunny();
@@ -105,8 +107,8 @@ fn a_sun_in_one_texel() {
     assert!((sum / expected - 1.0).abs() < 1e-3, "{sum} of {expected}");
 }
 
-/// 75: a picture made smaller by taking every second texel loses the sun, or has it four
-/// times; its mean over four keeps it. A limit on brightness loses what is above.
+/// 75: a picture made smaller by taking every second texel loses the sun, or has it
+/// four times; its mean over four keeps it. A limit on brightness loses what is above.
 #[test]
 fn a_sun_thinned_out_or_clamped() {
     let (panorama, sun) = sunny();
@@ -138,8 +140,8 @@ fn a_sun_thinned_out_or_clamped() {
     assert!((clamped - (1.0 - 0.999 * share)).abs() < 1e-9, "{clamped}");
 }
 
-/// 76: without sinθ each texel counts as one at the horizon: `2π²` in place of `4π`, +57 %
-/// for a constant map - and the poles, where nothing is, as much as the horizon.
+/// 76: without sinθ each texel counts as one at the horizon: `2π²` in place of `4π`,
+/// +57 % for a constant map - and the poles, where nothing is, as much as the horizon.
 #[test]
 fn sine_forgotten() {
     let (width, height) = (64, 32);
@@ -165,8 +167,8 @@ fn differences_of_cosines_fail_at_the_pole() {
     assert!((1e-7..1e-4).contains(&off), "{off:e}");
 }
 
-/// 76: at the seam and the poles every direction has a texel, the right one, and no light
-/// is lost or had twice between the last column and the first.
+/// 76: at the seam and the poles every direction has a texel, the right one, and no
+/// light is lost or had twice between the last column and the first.
 #[test]
 fn seam_and_poles() {
     let (width, height) = (16, 8);

@@ -1,7 +1,8 @@
 //! Test cases in the style of CIE 171:2006 with a sky: what comes through an opening,
 //! open or glazed, past an overhang or a wall, in per cent of what falls on the ground.
 //!
-//! By quadrature over the opening, with `Sky` for the radiance and `pane` for the glass.
+//! By quadrature over the opening, with `Sky` for the radiance and `pane` for the
+//! glass.
 
 mod common;
 
@@ -62,8 +63,8 @@ const NODES: [(f64, f64); 4] = [
     (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
 
-/// `∫ f` over a parallelogram: a fixed rule, on pieces that get smaller towards where `f`
-/// is unruly; `free` tells how far a point is from there.
+/// `∫ f` over a parallelogram: a fixed rule, on pieces that get smaller towards where
+/// `f` is unruly; `free` tells how far a point is from there.
 fn integral(
     [corner, u, v]: [DVec3; 3],
     free: &impl Fn(DVec3) -> f64,
@@ -95,8 +96,8 @@ struct Opening {
 }
 
 impl Opening {
-    /// That of a case, as much of it as sees the sky from `x` on the floor past overhang
-    /// and wall, which reach as far as one sees.
+    /// That of a case, as much of it as sees the sky from `x` on the floor past
+    /// overhang and wall, which reach as far as one sees.
     fn of(case: &Value, x: DVec3) -> Opening {
         let (mut low, mut high) = match case["opening"].as_array() {
             Some(corners) => radiosity::geometry::bounds(corners.iter().map(point)),

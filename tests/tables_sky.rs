@@ -142,8 +142,8 @@ fn discs_about_the_zenith() {
     }
 }
 
-/// The largest error of a panorama painted at the middle of each texel, over all normals
-/// of a case.
+/// The largest error of a panorama painted at the middle of each texel, over all
+/// normals of a case.
 fn worst(case: &Value, height: usize, up: DVec3) -> f64 {
     let radiance: fn(DVec3) -> f64 = match case["params"]["L"].as_str().unwrap() {
         "1" => |_| 1.0,

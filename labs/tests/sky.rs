@@ -1,5 +1,5 @@
-//! The lab `sky`: right answers that are not the answer, and the failure that its report
-//! asks for.
+//! The lab `sky`: right answers that are not the answer, and the failure that its
+//! report asks for.
 
 mod common;
 
@@ -67,8 +67,8 @@ fn nan_fails() {
     assert!(judge(checks::ALL, &work, "0").iter().all(|(_, v)| !v.passed()));
 }
 
-/// With the sun half as wide, even directions are twice as wrong; those by brightness do
-/// not care.
+/// With the sun half as wide, even directions are twice as wrong; those by brightness
+/// do not care.
 #[test]
 fn small_suns_are_hard_to_find() {
     let [large, small] = [8, 32].map(|width| errors(&answer::WORK, width, 256, 400));

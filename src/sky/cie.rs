@@ -5,8 +5,8 @@ use crate::geometry::Rgb;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// `a, b, c, d, e` of the standard general sky `kind`, 1 to 15 (ISO 15469): 1 is overcast,
-/// 5 uniform, 12 clear.
+/// `a, b, c, d, e` of the standard general sky `kind`, 1 to 15 (ISO 15469): 1 is
+/// overcast, 5 uniform, 12 clear.
 pub fn cie_coefficients(kind: usize) -> Option<[f64; 5]> {
     #[rustfmt::skip]
     let [a, b] = *[
@@ -87,8 +87,8 @@ impl Cie {
 
     /// Irradiance of a plane with unit `normal`, by elevation within azimuth.
     ///
-    /// The brightness has a peak at the sun, and what the plane sees has corners where it
-    /// cuts the horizon: both are ends of intervals.
+    /// The brightness has a peak at the sun, and what the plane sees has corners where
+    /// it cuts the horizon: both are ends of intervals.
     pub fn irradiance(&self, normal: DVec3) -> Rgb {
         let (rise, flat) = (normal.y, normal.x.hypot(normal.z));
         let towards = normal.x.atan2(-normal.z);

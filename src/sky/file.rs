@@ -72,8 +72,8 @@ impl From<PanoramaError> for SkyTrouble {
 }
 
 impl Panorama {
-    /// Reads a picture of all directions: Radiance `.hdr` (its `EXPOSURE` divided out) or
-    /// OpenEXR, told apart by their content.
+    /// Reads a picture of all directions: Radiance `.hdr` (its `EXPOSURE` divided out)
+    /// or OpenEXR, told apart by their content.
     ///
     /// # Errors
     /// The file is missing, no such picture, broken, too large, or has a texel that is

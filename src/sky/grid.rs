@@ -1,7 +1,8 @@
-//! Cells of a sphere between meridians and parallels, and draws among them by brightness.
+//! Cells of a sphere between meridians and parallels, and draws among them by
+//! brightness.
 //!
-//! In the sky's own axes: x right, y up, z back. Rows go from the pole down, columns from
-//! the seam behind, around by the left, the front (`−z`) and the right.
+//! In the sky's own axes: x right, y up, z back. Rows go from the pole down, columns
+//! from the seam behind, around by the left, the front (`−z`) and the right.
 
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
@@ -35,8 +36,8 @@ impl Grid {
     // ANCHOR_END: direction
 
     // ANCHOR: cell
-    /// The column and row of the cell that holds `direction`; of the lowest row for what
-    /// lies below the grid.
+    /// The column and row of the cell that holds `direction`; of the lowest row for
+    /// what lies below the grid.
     pub fn cell(&self, d: DVec3) -> (usize, usize) {
         let polar = d.x.hypot(d.z).atan2(d.y);
         let azimuth = d.x.atan2(-d.z);
@@ -47,8 +48,8 @@ impl Grid {
     // ANCHOR_END: cell
 
     // ANCHOR: solid_angle
-    /// Solid angle of a cell in `row`, in sr: `Δφ (cosθ₀ − cosθ₁)`, written as a product
-    /// of sines, for the difference loses its digits at the pole.
+    /// Solid angle of a cell in `row`, in sr: `Δφ (cosθ₀ − cosθ₁)`, written as a
+    /// product of sines, for the difference loses its digits at the pole.
     pub fn solid_angle(&self, row: usize) -> f64 {
         let (half, middle) = (self.polar(0.5), self.polar(row as f64 + 0.5));
         TAU / self.width as f64 * 2.0 * middle.sin() * half.sin()
@@ -84,7 +85,8 @@ fn cumulative(weights: &mut [f64]) -> f64 {
     sum
 }
 
-/// Rounding must not carry a draw over the edge of its cell, where the density is another.
+/// Rounding must not carry a draw over the edge of its cell, where the density is
+/// another.
 const INSIDE: f64 = 1e-9;
 
 /// Where `u` falls among cumulative shares, and how far into that share it is.

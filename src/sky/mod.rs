@@ -1,8 +1,8 @@
 //! The sky: light from directions, for rays that leave the scene.
 //!
-//! A sky has a radiance for every direction and no place: it is infinitely far away, and
-//! looks the same from everywhere in the scene. The analytic skies shine from above the
-//! horizon only; a panorama from all around.
+//! A sky has a radiance for every direction and no place: it is infinitely far away,
+//! and looks the same from everywhere in the scene. The analytic skies shine from above
+//! the horizon only; a panorama from all around.
 //!
 //! ```text
 //! H(n) = ∫ L(ω) max(0, n·ω) dω          irradiance of a plane that sees all of the sky
@@ -21,9 +21,9 @@
 //! | [`Sky::panorama`]  | a real place is to shine               | detail below a texel    |
 //!
 //! **Not here:** what of the sky an element sees past the scene ([`crate::solve`]); the
-//! image files of pictures ([`crate::film`]).
-//! Chapter *Light from the sky* (L21). Sources: Moon & Spencer 1942 (overcast); CIE S 011 /
-//! ISO 15469 (general skies); Blinn & Newell 1976 (environment maps); Debevec 1998.
+//! image files of pictures ([`crate::film`]). Chapter *Light from the sky* (L21).
+//! Sources: Moon & Spencer 1942 (overcast); CIE S 011 / ISO 15469 (general skies);
+//! Blinn & Newell 1976 (environment maps); Debevec 1998.
 
 mod cie;
 mod file;
@@ -45,8 +45,8 @@ use std::sync::Arc;
 /// Radiance by direction, in W/(m² sr), nowhere negative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sky {
-    /// Columns: the right, the up and the back of whoever stands in the panorama and looks
-    /// at its middle.
+    /// Columns: the right, the up and the back of whoever stands in the panorama and
+    /// looks at its middle.
     world_from_sky: DMat3,
     light: Light,
 }
@@ -83,25 +83,25 @@ pub enum Kind<'a> {
 }
 
 impl Sky {
-    /// The same `radiance`, in W/(m² sr), from everywhere above the horizon; `up` has unit
-    /// length.
+    /// The same `radiance`, in W/(m² sr), from everywhere above the horizon; `up` has
+    /// unit length.
     pub fn uniform(radiance: Rgb, up: DVec3) -> Sky {
         debug_assert!(radiance.min_element() >= 0.0, "negative radiance: {radiance}");
         Sky { world_from_sky: world_from_sky(up), light: Light::Uniform(radiance) }
     }
 
-    /// The overcast sky of Moon & Spencer 1942, `L = Lz (1 + 2 sin e)/3` at elevation `e`:
-    /// three times as bright at the `zenith`, in W/(m² sr), as at the horizon. `up` has
-    /// unit length.
+    /// The overcast sky of Moon & Spencer 1942, `L = Lz (1 + 2 sin e)/3` at elevation
+    /// `e`: three times as bright at the `zenith`, in W/(m² sr), as at the horizon.
+    /// `up` has unit length.
     pub fn overcast(zenith: Rgb, up: DVec3) -> Sky {
         debug_assert!(zenith.min_element() >= 0.0, "negative radiance: {zenith}");
         Sky { world_from_sky: world_from_sky(up), light: Light::Overcast(zenith) }
     }
 
-    /// A general sky of the CIE: five `coefficients` (see [`cie_coefficients`]; the second
-    /// is negative), the direction to the `sun`, radiance at the `zenith` in W/(m² sr).
-    /// Light scattered by the air only: the sun's disc is not in it. `sun` and `up` have
-    /// unit length, and the sun stands above the horizon.
+    /// A general sky of the CIE: five `coefficients` (see [`cie_coefficients`]; the
+    /// second is negative), the direction to the `sun`, radiance at the `zenith` in
+    /// W/(m² sr). Light scattered by the air only: the sun's disc is not in it. `sun`
+    /// and `up` have unit length, and the sun stands above the horizon.
     ///
     /// ```text
     /// L/Lz = f(χ) φ(Z) / (f(Zs) φ(0))     Z from the zenith, χ from the sun, Zs between
@@ -117,18 +117,19 @@ impl Sky {
         Sky { world_from_sky, light }
     }
 
-    /// A picture of all directions, the ground's too, turned so that its row 0 is `up`, of
-    /// unit length.
+    /// A picture of all directions, the ground's too, turned so that its row 0 is `up`,
+    /// of unit length.
     ///
-    /// With up at `+Y` its middle column looks along `−Z`; else all is turned the shortest
-    /// way from `+Y` to `up`: with up at `+Z` the middle looks along `+Y`.
+    /// With up at `+Y` its middle column looks along `−Z`; else all is turned the
+    /// shortest way from `+Y` to `up`: with up at `+Z` the middle looks along `+Y`.
     pub fn panorama(panorama: Panorama, up: DVec3) -> Sky {
         let light = Light::Panorama(Arc::new(panorama));
         Sky { world_from_sky: world_from_sky(up), light }
     }
 
     /// The direction, of unit length, at these angles in radians: `elevation` above the
-    /// horizon; `azimuth` from the panorama's middle (`−Z` while up is `+Y`) to the right.
+    /// horizon; `azimuth` from the panorama's middle (`−Z` while up is `+Y`) to the
+    /// right.
     pub fn direction(&self, elevation: f64, azimuth: f64) -> DVec3 {
         let ((x, z), (y, flat)) = (azimuth.sin_cos(), elevation.sin_cos());
         self.world_from_sky * DVec3::new(flat * x, y, -flat * z)
@@ -162,8 +163,8 @@ impl Sky {
         }
     }
 
-    /// The radiance, in W/(m² sr), that comes from `direction`, of unit length: what a ray
-    /// finds that leaves the scene that way.
+    /// The radiance, in W/(m² sr), that comes from `direction`, of unit length: what a
+    /// ray finds that leaves the scene that way.
     pub fn radiance(&self, direction: DVec3) -> Rgb {
         let d = self.sky_from_world(direction);
         match &self.light {
@@ -175,13 +176,13 @@ impl Sky {
         }
     }
 
-    /// Irradiance, in W/m², of a plane with unit `normal` that sees all of the sky before
-    /// it: no ground, no neighbours.
+    /// Irradiance, in W/m², of a plane with unit `normal` that sees all of the sky
+    /// before it: no ground, no neighbours.
     ///
     /// # Accuracy
     /// Uniform and overcast: closed forms, exact but for rounding. CIE: 1e-7 of π times
-    /// the zenith's radiance. Panorama: exact texel by texel, but for 1e-6 of the radiance
-    /// along the plane's horizon.
+    /// the zenith's radiance. Panorama: exact texel by texel, but for 1e-6 of the
+    /// radiance along the plane's horizon.
     pub fn irradiance(&self, normal: DVec3) -> Rgb {
         let n = self.sky_from_world(normal);
         let (cos, sin) = (n.y, n.x.hypot(n.z));
@@ -199,9 +200,10 @@ impl Sky {
         }
     }
 
-    /// A direction drawn by two numbers in `[0, 1)`, and its probability density in 1/sr:
-    /// in proportion to the radiance (its mean over the channels; of the CIE's skies, nearly
-    /// so). A sun in one texel is neither missed nor counted twice. Never 0.
+    /// A direction drawn by two numbers in `[0, 1)`, and its probability density in
+    /// 1/sr: in proportion to the radiance (its mean over the channels; of the CIE's
+    /// skies, nearly so). A sun in one texel is neither missed nor counted twice. Never
+    /// 0.
     pub fn sample(&self, u: DVec2) -> (DVec3, f64) {
         let around = |sin: f64| {
             let ((x, z), cos) = ((TAU * u.y).sin_cos(), (1.0 - sin * sin).sqrt());
@@ -218,8 +220,8 @@ impl Sky {
         (direction, self.pdf(direction))
     }
 
-    /// The density, in 1/sr, with which [`Sky::sample`] draws `direction`, of unit length;
-    /// 0 where it never does.
+    /// The density, in 1/sr, with which [`Sky::sample`] draws `direction`, of unit
+    /// length; 0 where it never does.
     pub fn pdf(&self, direction: DVec3) -> f64 {
         let d = self.sky_from_world(direction);
         match &self.light {

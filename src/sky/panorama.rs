@@ -9,8 +9,8 @@ use std::fmt;
 /// Radiance by direction, in W/(m² sr), the same all over each texel: no value between
 /// two texels is made up, so that all who ask see the same light.
 ///
-/// Row 0 is up, the middle column looks along `−Z`, columns run to the right as seen from
-/// inside (while up is `+Y`); angles are even in both (latitude and longitude).
+/// Row 0 is up, the middle column looks along `−Z`, columns run to the right as seen
+/// from inside (while up is `+Y`); angles are even in both (latitude and longitude).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panorama {
     grid: Grid,
@@ -73,8 +73,8 @@ impl fmt::Display for PanoramaError {
 
 impl std::error::Error for PanoramaError {}
 
-/// What decides how often a texel is drawn: all channels count alike, for they are solved
-/// apart.
+/// What decides how often a texel is drawn: all channels count alike, for they are
+/// solved apart.
 fn brightness(radiance: Rgb) -> f64 {
     radiance.element_sum() / 3.0
 }
@@ -199,8 +199,8 @@ const FINEST: f64 = 1e-3;
 
 impl Cell {
     // ANCHOR: vector
-    /// `∫ ω dω` over the cell, in closed form: a plane that sees all of it gets the part
-    /// along its normal.
+    /// `∫ ω dω` over the cell, in closed form: a plane that sees all of it gets the
+    /// part along its normal.
     fn vector(&self) -> DVec3 {
         let [t0, t1] = self.polar;
         let [p0, p1] = self.azimuth;

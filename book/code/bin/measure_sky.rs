@@ -1,5 +1,6 @@
-//! Measures the chart of *Light from the sky*: error and time of the ground's irradiance
-//! below a clear sky with a sun, by directions drawn in three ways and by all texels.
+//! Measures the chart of *Light from the sky*: error and time of the ground's
+//! irradiance below a clear sky with a sun, by directions drawn in three ways and by
+//! all texels.
 //!
 //! `cargo run --release -p book --bin measure-sky > book/data/sky-DATE.csv`.
 //! One thread; takes some seconds.

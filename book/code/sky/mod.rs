@@ -1,8 +1,8 @@
 //! The figures and numbers of the chapter *Light from the sky*.
 //!
-//! [`skies`] paints what shines; [`court`] is the scene under it; [`shadow`] looks for a sun
-//! by chance, in three ways; [`tables`] writes what falls on planes and what a texel is
-//! worth; [`cost`] charts the samples.
+//! [`skies`] paints what shines; [`court`] is the scene under it; [`shadow`] looks for
+//! a sun by chance, in three ways; [`tables`] writes what falls on planes and what a
+//! texel is worth; [`cost`] charts the samples.
 
 pub mod cost;
 pub mod court;

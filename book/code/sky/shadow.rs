@@ -48,8 +48,8 @@ impl Draw {
     }
 }
 
-/// The ground of the court as seen from above, 4 m × 4 m, lit by `rays` directions to each
-/// pixel; the blocks are cut out.
+/// The ground of the court as seen from above, 4 m × 4 m, lit by `rays` directions to
+/// each pixel; the blocks are cut out.
 pub fn picture(draw: Draw) -> RgbImage {
     let scene = scene(Kind::Sunny, 3.0);
     let sky = scene.sky.as_ref().expect("it has one");
@@ -73,7 +73,8 @@ pub fn picture(draw: Draw) -> RgbImage {
     picture.display(1.0 / 130.0)
 }
 
-/// Root mean square of the error of an unshaded point, relative, with [`RAYS`] directions.
+/// Root mean square of the error of an unshaded point, relative, with [`RAYS`]
+/// directions.
 fn error(draw: Draw) -> f64 {
     let sky = Sky::panorama(sunny(), DVec3::Y);
     let exact = sky.irradiance(DVec3::Y).x;

@@ -54,8 +54,8 @@ pub fn sun_texel(panorama: &Panorama) -> usize {
     all.max_by(|a, b| lit(a).total_cmp(&lit(b))).expect("it has texels")
 }
 
-/// The CIE's clear sky (12), bluer above and away from the sun, and the sun in one texel;
-/// dark ground.
+/// The CIE's clear sky (12), bluer above and away from the sun, and the sun in one
+/// texel; dark ground.
 pub fn sunny() -> Panorama {
     let coefficients = cie_coefficients(12).expect("12 is one of 15");
     let clear = Sky::cie(coefficients, sun(), Rgb::ONE, DVec3::Y);

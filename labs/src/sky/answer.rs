@@ -1,4 +1,5 @@
-//! One right answer: texels at their middle, rows and columns picked one after the other.
+//! One right answer: texels at their middle, rows and columns picked one after the
+//! other.
 #![deny(warnings)]
 
 use super::{Map, Work};

@@ -6,8 +6,8 @@
 //! p = L / Σ L Ω                 of a direction drawn by brightness
 //! ```
 //!
-//! The student writes the four functions of [`Work`]; they are judged against the crate's
-//! own panoramas.
+//! The student writes the four functions of [`Work`]; they are judged against the
+//! crate's own panoramas.
 //!
 //! **Not here:** colours; what stands in the way of the sky.
 //! Chapter *Light from the sky* (L21); brief: `book/src/labs/sky.md`.
@@ -33,8 +33,9 @@ pub struct Work {
     pub texel: fn(width: usize, height: usize, row: usize) -> f64,
     // ANCHOR_END: task1
     // ANCHOR: task2
-    /// 2. The direction to the middle of a texel, of unit length. Up is +y, row 0 is up;
-    ///    the middle of the picture looks along −z, and columns run to the right, +x.
+    /// 2. The direction to the middle of a texel, of unit length. Up is +y, row 0 is
+    ///    up; the middle of the picture looks along −z, and columns run to the right,
+    ///    +x.
     pub direction: fn(width: usize, height: usize, column: usize, row: usize) -> DVec3,
     // ANCHOR_END: task2
     // ANCHOR: task3
@@ -43,7 +44,8 @@ pub struct Work {
     pub irradiance: fn(map: &Map, normal: DVec3) -> f64,
     // ANCHOR_END: task3
     // ANCHOR: task4
-    /// 4. A direction drawn by brightness, of two numbers in [0, 1), and its density, 1/sr.
+    /// 4. A direction drawn by brightness, of two numbers in [0, 1), and its density,
+    ///    1/sr.
     pub sample: fn(map: &Map, u: DVec2) -> (DVec3, f64),
     // ANCHOR_END: task4
 }

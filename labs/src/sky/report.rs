@@ -1,5 +1,5 @@
-//! The experiment of the report question: how wrong is one estimate, by directions drawn
-//! evenly and by brightness, as the sun gets smaller?
+//! The experiment of the report question: how wrong is one estimate, by directions
+//! drawn evenly and by brightness, as the sun gets smaller?
 //!
 //! `cargo run -p labs --example sun_by_chance` runs it on the student's work.
 
@@ -17,8 +17,8 @@ pub struct Errors {
     pub bright: f64,
 }
 
-/// A grey sky above grey ground, and a sun of one texel that sends nine times as much to a
-/// level plane.
+/// A grey sky above grey ground, and a sun of one texel that sends nine times as much
+/// to a level plane.
 pub fn sunny(work: &Work, width: usize) -> Map {
     let height = width / 2;
     let mut map = Map { width, height, radiance: vec![1.0; width * height] };

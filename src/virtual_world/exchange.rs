@@ -51,9 +51,9 @@ impl VirtualWorld {
         for image in self.images().iter().filter(|image| image.level() >= from) {
             // Of the piece, what is behind a window sees nothing there.
             let seen = image.of_polygon(large);
-            let planes =
+            let mut planes =
                 image.windows().iter().map(Polygon::plane).chain([seen.plane()]);
-            let above = planes.fold(Some(small.clone()), |p, plane| p?.clipped(plane));
+            let above = planes.try_fold(small.clone(), |p, plane| p.clipped(plane));
             let Some(piece) = above else { continue };
             let Some(sight) = self.sight(image, &piece, large) else { continue };
             let (found, error) = if sight.is_free() && sight.is_even() {

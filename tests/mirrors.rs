@@ -195,6 +195,8 @@ fn images_see_what_rays_see() {
         let piece = piece.unwrap();
         let (got, rays) = (factor(&world, x, &piece, &target).x, 200_000);
         let want = by_rays(&scene, 3, x, n, 0, rays);
+        let beams = world.factors_by_level(x, n, &target, 3).iter().sum::<Rgb>().x;
+        assert!((got - beams).abs() < 1e-12, "{got} {beams}");
         let sigma = (want.max(1e-4) / rays as f64).sqrt();
         worst = worst.max((got - want).abs() / sigma);
         assert!((got - want).abs() < 4.0 * sigma, "{got} {want} ± {sigma:e}");

@@ -44,6 +44,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(links::files());
     files.extend(crate::transport::files());
     files.extend(crate::sky::files());
+    files.extend(crate::mirrors::files());
     let src = root().join("src");
     files.into_iter().map(|(name, text)| (src.join(name), text)).collect()
 }

@@ -232,12 +232,33 @@ pub const ROWS: [Row; 23] = [
         "Specular radiosity",
         false,
     ),
-    planned(
-        "two-pass, pass 1: translucent surfaces and the window form factor",
-        "Windows",
-        true,
-    ),
-    planned("two-pass, pass 1: mirrors and the virtual mirror world", "Mirrors", true),
+    Row {
+        topic: "two-pass, pass 1: translucent surfaces and the window form factor",
+        title: "Mirrors and windows",
+        lab: true,
+        state: State::Done(Written {
+            page: "mirrors-and-windows.md",
+            module: "src/virtual_world/sight.rs",
+            figure: "pictures/mirrors-hemicube.snap.png",
+            test: ("tests/tables_mirror.rs", "a_pane_weakens_by_the_angle"),
+            lab: Some("labs/window.md"),
+        }),
+    },
+    Row {
+        topic: "two-pass, pass 1: mirrors and the virtual mirror world",
+        title: "Mirrors and windows",
+        lab: true,
+        state: State::Done(Written {
+            page: "mirrors-and-windows.md",
+            module: "src/virtual_world",
+            figure: "pictures/mirrors-hemicube.snap.png",
+            test: (
+                "tests/extended_factors.rs",
+                "a_room_with_a_perfect_mirror_is_the_doubled_room",
+            ),
+            lab: Some("labs/mirror-world.md"),
+        }),
+    },
     planned(
         "pass 2: ray tracing with reflection, refraction and diffuse light",
         "The second pass: ray tracing",

@@ -21,6 +21,7 @@
 //! | [`sky`]         | figures and numbers of *Light from the sky*                  |
 //! | [`solving`]     | figures and numbers of the chapter *Solving it*              |
 //! | [`plan`]        | figures and numbers of *What does this scene need?*          |
+//! | [`mirrors`]     | figures and numbers of *Mirrors and windows*                 |
 //! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //! | [`patches`]     | figures and numbers of the chapter on substructuring         |
@@ -43,6 +44,7 @@ pub mod lecture_map;
 pub mod light;
 pub mod links;
 pub mod map;
+pub mod mirrors;
 pub mod patches;
 pub mod pipeline;
 pub mod plan;
@@ -95,6 +97,7 @@ mod pages {
         labs_mirror_world: "labs/mirror-world.md",
         labs_window: "labs/window.md",
         labs_cone: "labs/cone.md",
+        mirrors_and_windows: "mirrors-and-windows.md",
         solving: "solving.md",
         notation: "notation.md",
         bibliography: "bibliography.md",

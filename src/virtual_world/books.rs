@@ -27,7 +27,6 @@ pub(super) struct Met {
 }
 
 impl Books<'_> {
-    // ANCHOR: arrives
     /// The `share` arrives. What goes on is returned: what is mirrored, and what passes.
     ///
     /// Mirrors are elements, too: all that arrives counts as their irradiance, and what they
@@ -35,6 +34,7 @@ impl Books<'_> {
     pub(super) fn arrives(&mut self, share: f64, met: Met, left: u32) -> [f64; 2] {
         let surface = self.mesh.surface_of(&self.mesh.elements[met.element as usize]);
         let divided = self.world.divided(surface, met.front, met.cosine);
+        // ANCHOR: arrives
         let [mirrored, passed] = divided.map(|rgb| share * rgb[self.channel]);
         if met.front {
             self.row[met.element as usize] += share;
@@ -42,6 +42,7 @@ impl Books<'_> {
             self.lost.absorbed += share;
         }
         self.lost.absorbed -= mirrored + passed;
+        // ANCHOR_END: arrives
         let passed = self.worth(passed);
         if left == 0 {
             self.lost.cut += mirrored;
@@ -49,7 +50,6 @@ impl Books<'_> {
         }
         [self.worth(mirrored), passed]
     }
-    // ANCHOR_END: arrives
 
     /// The share, if it is worth following.
     fn worth(&mut self, share: f64) -> f64 {

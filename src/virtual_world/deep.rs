@@ -97,7 +97,12 @@ impl VirtualWorld {
         let Some(rest) = Polygon::piece(outline.to_vec(), polygon.normal()) else {
             return Vec::new();
         };
-        visible_parts(beam.eye, &rest, past)
+        // What lies in its plane, itself among it, hides nothing of it.
+        let plane = polygon.plane();
+        let above =
+            |b: &&Blocker| b.corners().iter().any(|&v| plane.height(v) > self.margin);
+        let past: Vec<&Blocker> = past.iter().copied().filter(above).collect();
+        visible_parts(beam.eye, &rest, &past)
     }
 
     /// The beams after one more mirror.

@@ -53,16 +53,14 @@ impl<'a> ExtendedHemicube<'a> {
         ExtendedHemicube { mesh, world, channel, resolution, weights }
     }
 
-    /// Draws what is looked at, books what arrives there, and returns what is to be looked
-    /// at next.
-    fn look(
+    /// Books what a picture shows, and returns what is to be looked at next.
+    fn read(
         &self,
-        size: (u32, u32),
         look: &Look,
+        buffer: &ItemBuffer,
         books: &mut Books,
     ) -> Vec<Look<'static>> {
-        let mut buffer = ItemBuffer::new(size.0, size.1);
-        self.draw(look, &mut buffer);
+        let size = (buffer.width(), buffer.height());
         // By mirror and side: what each cell counts in the next picture.
         let mut mirrored: BTreeMap<(u32, bool), Vec<f64>> = BTreeMap::new();
         let mut passed: BTreeMap<(u32, bool), Vec<f64>> = BTreeMap::new();
@@ -97,7 +95,6 @@ impl<'a> ExtendedHemicube<'a> {
         self.next(look, mirrored, passed)
     }
 
-    // ANCHOR: next_look
     fn next(
         &self,
         look: &Look,
@@ -108,6 +105,7 @@ impl<'a> ExtendedHemicube<'a> {
             let plane = self.world.mirrors[id as usize].outline.plane();
             if front { plane } else { plane.flipped() }
         };
+        // ANCHOR: reflected
         let reflected = mirrored.into_iter().map(|(id, weights)| Look {
             view: look.view.moved(&plane(id).mirror()),
             beyond: Some(plane(id)),
@@ -115,6 +113,7 @@ impl<'a> ExtendedHemicube<'a> {
             left: look.left - 1,
             own: None,
         });
+        // ANCHOR_END: reflected
         let through = passed.into_iter().map(|(id, weights)| Look {
             view: look.view,
             beyond: Some(plane(id).flipped()),
@@ -124,7 +123,6 @@ impl<'a> ExtendedHemicube<'a> {
         });
         reflected.chain(through).collect()
     }
-    // ANCHOR_END: next_look
 
     fn draw(&self, look: &Look, buffer: &mut ItemBuffer) {
         for (id, element) in (0u32..).zip(&self.mesh.elements) {
@@ -158,20 +156,31 @@ impl<'a> ExtendedHemicube<'a> {
     }
 }
 
-impl FormFactors for ExtendedHemicube<'_> {
-    fn len(&self) -> usize {
-        self.mesh.elements.len()
+impl ExtendedHemicube<'_> {
+    /// Shows all pictures that are drawn for an element, with what each cell counts in it:
+    /// nothing where another picture has to tell. For figures.
+    pub fn pictures(
+        &self,
+        from: ElementId,
+        mut show: impl FnMut(Face, &ItemBuffer, &[f64]),
+    ) {
+        self.draw_all(from, &mut vec![0.0; self.len()], &mut show);
     }
 
-    fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
-        row.fill(0.0);
+    fn draw_all(
+        &self,
+        from: ElementId,
+        row: &mut [f64],
+        show: &mut dyn FnMut(Face, &ItemBuffer, &[f64]),
+    ) -> Lost {
         let element = self.mesh.element(from);
         let (eye, normal) = (element.polygon.centroid(), element.polygon.normal());
         let own = Some(self.mesh.surface_of(element));
         let (world, mesh, channel) = (self.world, self.mesh, self.channel);
         let mut books = Books { world, mesh, channel, row, lost: Lost::default() };
         for face in Face::ALL {
-            let size = face.size(self.resolution);
+            let (width, height) = face.size(self.resolution);
+            let mut buffer = ItemBuffer::new(width, height);
             let mut looks = vec![Look {
                 view: face.view(eye, &Frame::about(normal)),
                 beyond: None,
@@ -180,9 +189,23 @@ impl FormFactors for ExtendedHemicube<'_> {
                 own,
             }];
             while let Some(look) = looks.pop() {
-                looks.extend(self.look(size, &look, &mut books));
+                buffer.reset(width, height);
+                self.draw(&look, &mut buffer);
+                show(face, &buffer, &look.weights);
+                looks.extend(self.read(&look, &buffer, &mut books));
             }
         }
         books.lost
+    }
+}
+
+impl FormFactors for ExtendedHemicube<'_> {
+    fn len(&self) -> usize {
+        self.mesh.elements.len()
+    }
+
+    fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
+        row.fill(0.0);
+        self.draw_all(from, row, &mut |_, _, _| ())
     }
 }

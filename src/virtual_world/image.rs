@@ -24,7 +24,6 @@ impl Image {
         Image { mirrors: Vec::new(), legs, windows: Vec::new() }
     }
 
-    // ANCHOR: then
     /// This chain and one more mirror behind it; `None` when no line can pass.
     pub(super) fn then(
         &self,
@@ -52,13 +51,14 @@ impl Image {
                 return None;
             }
         }
+        // ANCHOR: chain
         let mut image = self.clone();
         image.mirrors.push(k as u32);
         image.legs.push(*self.transform() * mirror.outline.plane().mirror());
         image.windows.push(window);
         Some(image)
+        // ANCHOR_END: chain
     }
-    // ANCHOR_END: then
 
     /// How many reflections.
     pub fn level(&self) -> u32 {
@@ -113,7 +113,6 @@ impl Image {
     }
 }
 
-// ANCHOR: clip_to
 /// What of `outline` is seen from `x` through all `windows`.
 pub(super) fn clip_to<'a>(
     windows: impl IntoIterator<Item = &'a Polygon>,
@@ -121,6 +120,7 @@ pub(super) fn clip_to<'a>(
     outline: &[DVec3],
 ) -> Option<Outline> {
     let mut seen = Outline::from(outline);
+    // ANCHOR: clip_to
     for window in windows {
         if window.plane().height(x) <= 0.0 {
             return None;
@@ -131,17 +131,19 @@ pub(super) fn clip_to<'a>(
             return None;
         }
     }
+    // ANCHOR_END: clip_to
     Some(seen)
 }
 
 /// The planes through `x` and the edges of an outline that looks at it, facing inwards; not
 /// of unit length.
 pub(super) fn pyramid(x: DVec3, outline: &[DVec3]) -> impl Iterator<Item = Plane> {
+    // ANCHOR: pyramid
     let edge = move |k: usize| {
         let (a, b) = (outline[k], outline[(k + 1) % outline.len()]);
         let normal = (b - x).cross(a - x);
         Plane { normal, offset: normal.dot(x) }
     };
     (0..outline.len()).map(edge)
+    // ANCHOR_END: pyramid
 }
-// ANCHOR_END: clip_to

@@ -110,7 +110,6 @@ impl VirtualWorld {
         }
     }
 
-    // ANCHOR: add_leg
     /// Adds what may stand in the way on one leg, between the mirrors at its ends, moved to
     /// where it is seen.
     fn add_leg(
@@ -128,18 +127,19 @@ impl VirtualWorld {
         let ends = [leg.checked_sub(1), (leg < image.mirrors.len()).then_some(leg)];
         let ends: Vec<Plane> =
             ends.into_iter().flatten().map(|k| mirror(k).plane()).collect();
+        // ANCHOR: leg
         let mut found: Vec<Blocker> =
             self.blockers.between(&from, to).into_iter().cloned().collect();
         for &end in &ends {
             found = found.iter().flat_map(|b| b.in_front(end, self.margin)).collect();
         }
         sight.blockers.extend(found.iter().map(|b| b.moved(unfold)));
+        // ANCHOR_END: leg
         let before =
             if leg < image.mirrors.len() { None } else { Some(target.plane()) };
         let ends: Vec<Plane> = ends.into_iter().chain(before).collect();
         self.add_veils(&from, to, &ends, unfold, sight);
     }
-    // ANCHOR_END: add_leg
 
     fn add_veils(
         &self,
@@ -208,7 +208,6 @@ impl Sight {
         self.blockers.iter().any(|b| b.hides_all(piece, &self.target))
     }
 
-    // ANCHOR: factor
     /// Form factor from a differential area at `x`, a point of the piece, with unit normal
     /// `n`, times what the mirrors and panes leave: per channel, in `[0, 1]`.
     ///
@@ -222,7 +221,6 @@ impl Sight {
         }
         self.integral(x, n, &seen, &|_| Rgb::ONE)
     }
-    // ANCHOR_END: factor
 
     /// Irradiance, W/m², of what is behind the target: `radiance`, in W/(m² sr), in each
     /// direction of the world itself, as light of the sky is.

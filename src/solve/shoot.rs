@@ -130,18 +130,28 @@ impl<'a> Shoot<'a> {
             self.irradiance[j] += arriving;
             self.radiosity[j] += reflected;
             self.unshot[j] += reflected;
-            if let Some(Some(through)) = self.enclosure.through.get(j) {
-                let passed = through.transmittance * arriving;
-                self.radiosity[through.back.0 as usize] += passed;
-                self.unshot[through.back.0 as usize] += passed;
-            }
         }
         // ANCHOR_END: send
+        self.pass_through(power);
         let (irradiance, unshot) = (&self.irradiance, &self.unshot);
         Step {
             ledger: Ledger::draw_up(self.enclosure, irradiance, unshot, self.lost),
             residual: self.enclosure.relative_residual(unshot, &self.radiosity),
             shot: Some(from),
+        }
+    }
+}
+
+impl Shoot<'_> {
+    /// What of this power, shot by the last row, goes through sheets to their other sides.
+    fn pass_through(&mut self, power: Rgb) {
+        for (j, through) in self.enclosure.through.iter().enumerate() {
+            let Some(through) = through else { continue };
+            let arriving = power * self.row[j] / self.enclosure.area[j];
+            let (passed, back) =
+                (through.transmittance * arriving, through.back.0 as usize);
+            self.radiosity[back] += passed;
+            self.unshot[back] += passed;
         }
     }
 }

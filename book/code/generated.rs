@@ -45,6 +45,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(crate::transport::files());
     files.extend(crate::sky::files());
     files.extend(crate::mirrors::files());
+    files.extend(crate::side_by_side::files());
     let src = root().join("src");
     files.into_iter().map(|(name, text)| (src.join(name), text)).collect()
 }

@@ -281,11 +281,18 @@ pub const ROWS: [Row; 23] = [
             lab: Some("labs/sky.md"),
         }),
     },
-    planned(
-        "comparison pictures: radiosity, ray tracing, two-pass",
-        "One scene, four methods",
-        false,
-    ),
+    Row {
+        topic: "comparison pictures: radiosity, ray tracing, two-pass",
+        title: "Side by side",
+        lab: false,
+        state: State::Done(Written {
+            page: "side-by-side.md",
+            module: "src/chart/side_by_side.rs",
+            figure: "pictures/side-two-pass.snap.png",
+            test: ("tests/side_by_side.rs", "only_two_passes_show_all_light"),
+            lab: None,
+        }),
+    },
     planned(
         "the students' virtual world: texture, Bézier or NURBS, picking",
         "A virtual world of your own",

@@ -22,6 +22,7 @@
 //! | [`solving`]     | figures and numbers of the chapter *Solving it*              |
 //! | [`plan`]        | figures and numbers of *What does this scene need?*          |
 //! | [`mirrors`]     | figures and numbers of *Mirrors and windows*                 |
+//! | [`side_by_side`] | figures and numbers of *Side by side*                       |
 //! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //! | [`patches`]     | figures and numbers of the chapter on substructuring         |
@@ -50,6 +51,7 @@ pub mod pipeline;
 pub mod plan;
 pub mod shooting;
 pub mod sky;
+pub mod side_by_side;
 pub mod solving;
 pub mod source;
 pub mod surface;
@@ -83,6 +85,7 @@ mod pages {
         what_it_needs: "what-it-needs.md",
         who_carries_which_light: "who-carries-which-light.md",
         light_from_the_sky: "light-from-the-sky.md",
+        side_by_side: "side-by-side.md",
         labs_solid_angle: "labs/solid-angle.md",
         labs_radiometry: "labs/radiometry.md",
         labs_brdf: "labs/brdf.md",

@@ -1,0 +1,134 @@
+//! The figures and numbers of the chapter *Side by side*.
+
+use crate::{ledger, map};
+use radiosity::chart::{Comparison, Effort, Panel};
+use radiosity::film::{FalseColour, RgbImage, Shot};
+use radiosity::scene::built_in;
+use std::fmt::Write;
+use std::sync::OnceLock;
+
+/// The scene of the pictures.
+pub const SCENE: &str = "cornell-mirror";
+
+/// The panels of the pictures, in their order.
+pub const METHODS: [&str; 5] =
+    ["classical-radiosity", "ray-tracing", "radiosity", "two-pass", "reference"];
+
+/// What `radiosity compare` wrote for each of some scenes, one below the other.
+const RECORD: &str = include_str!("../data/side-by-side-2026-11-22.csv");
+
+/// Pixels along an edge of a picture, and random paths through each of the reference.
+const SIZE: u32 = 160;
+const PATHS: usize = 36;
+
+/// What is asked of pass 1.
+const TOLERANCE: f64 = 0.05;
+
+/// Differences relative to the mean of the reference.
+const DIFFERENCES: FalseColour = FalseColour { low: 0.01, high: 1.0 };
+
+fn found() -> &'static Comparison {
+    static FOUND: OnceLock<Comparison> = OnceLock::new();
+    FOUND.get_or_init(|| {
+        let scene = built_in(SCENE).expect("it is built in");
+        let camera = scene.camera;
+        let shot = Shot { camera, width: SIZE, height: SIZE, samples: 3 };
+        let effort = Effort { tolerance: TOLERANCE, paths: PATHS, seed: 0 };
+        Comparison::of(&scene, &shot, &effort, &|| 0.0, &|_, _, _| {})
+    })
+}
+
+fn panel(name: &str) -> &'static Panel {
+    found().panel(name).expect("it is one of the methods")
+}
+
+/// What a method shows.
+pub fn picture(name: &str) -> RgbImage {
+    panel(name).picture.display(found().exposure)
+}
+
+/// Where it is off.
+pub fn difference(name: &str) -> RgbImage {
+    DIFFERENCES.draw(&found().difference(panel(name)))
+}
+
+/// What is said below a picture.
+fn caption(name: &str) -> String {
+    let Panel { about, error, .. } = panel(name);
+    let noise = 100.0 * found().noise;
+    let off = match name {
+        "reference" => format!("noise {noise:.0} %"),
+        _ if *error < 0.5 * found().noise => {
+            format!("its error is lost in the {noise:.0} % of noise of the reference")
+        }
+        _ => format!("error {:.0} %", 100.0 * error),
+    };
+    format!("**{}**: {about}; {off}\n", name.replace('-', " "))
+}
+
+/// Whose light the reference shows.
+fn classes() -> String {
+    let mut text =
+        String::from("| light | paths | carried by | share |\n|---|---|---|---|\n");
+    let sum = found().classes.total().element_sum();
+    for row in found().classes.rows() {
+        let (name, word, owner) =
+            (row.class.name(), row.class.word(), row.class.owner().name());
+        let share = 100.0 * row.mean.element_sum() / sum;
+        let word = word.replace('|', "\\|");
+        let _ = writeln!(text, "| {name} | {word} | {owner} | {share:.0} % |");
+    }
+    text
+}
+
+/// The record as a table.
+fn table() -> String {
+    let mut text = String::from(
+        "| scene | method | CPU s | error | brightness | paths need, CPU s |\n\
+         |---|---|---|---|---|---|\n",
+    );
+    let mut scene = "";
+    for line in RECORD.lines() {
+        if let Some((name, _)) =
+            line.strip_prefix("# ").and_then(|rest| rest.split_once(" in "))
+        {
+            scene = name;
+        }
+        let cells: Vec<&str> = line.split(',').collect();
+        let [method, seconds, _, error, brightness, paths] = cells[..] else {
+            continue;
+        };
+        let number = |cell: &str| cell.parse::<f64>();
+        let (Ok(error), Ok(brightness)) = (number(error), number(brightness)) else {
+            continue; // the names of the columns
+        };
+        let error = match method {
+            "reference" => "-".into(),
+            // What is lost in the noise has no time of random paths beside it.
+            _ if paths.is_empty() => "lost in the noise".into(),
+            _ => format!("{:.1} %", 100.0 * error),
+        };
+        let (name, paths) = (method.replace('-', " "), paths.trim());
+        let paths = if paths.is_empty() { "-" } else { paths };
+        let _ = writeln!(
+            text,
+            "| `{scene}` | {name} | {seconds} | {error} | {brightness:.2} | {paths} |"
+        );
+    }
+    text
+}
+
+/// Path and text of the generated files of the chapter.
+pub fn files() -> Vec<(String, String)> {
+    let FalseColour { low, high } = DIFFERENCES;
+    let mut files = vec![
+        ("generated/side-classes.md".to_string(), classes()),
+        ("generated/side-table.md".into(), table()),
+        ("generated/side-key.md".into(), map::key(low, high, 5, map::per_cent)),
+        ("generated/side-ledger.md".into(), ledger::table(&found().solution)),
+    ];
+    for name in METHODS {
+        files.push((format!("generated/side-{name}.md"), caption(name)));
+    }
+    files
+}

@@ -48,7 +48,7 @@ fn measure() {
     }
     for (name, scene) in [
         ("paths", scene),
-        ("paths, no mirror", built_in("cornell-regular").expect("it is built in")),
+        ("paths without mirror", built_in("cornell-regular").expect("it is built in")),
     ] {
         by_paths(name, &scene);
     }

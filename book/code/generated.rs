@@ -46,6 +46,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(crate::sky::files());
     files.extend(crate::mirrors::files());
     files.extend(crate::side_by_side::files());
+    files.extend(crate::second_pass::files());
     let src = root().join("src");
     files.into_iter().map(|(name, text)| (src.join(name), text)).collect()
 }

@@ -259,16 +259,30 @@ pub const ROWS: [Row; 23] = [
             lab: Some("labs/mirror-world.md"),
         }),
     },
-    planned(
-        "pass 2: ray tracing with reflection, refraction and diffuse light",
-        "The second pass: ray tracing",
-        true,
-    ),
-    planned(
-        "pass 2: diffuse light into specular surfaces, by a cone",
-        "The second pass: the cone",
-        true,
-    ),
+    Row {
+        topic: "pass 2: ray tracing with reflection, refraction and diffuse light",
+        title: "The second pass",
+        lab: true,
+        state: State::Done(Written {
+            page: "the-second-pass.md",
+            module: "src/trace/whitted.rs",
+            figure: "pictures/second-pass-classical.snap.png",
+            test: ("tests/trace_rays.rs", "a_hall_of_mirrors_is_a_geometric_series"),
+            lab: Some("labs/cone.md"),
+        }),
+    },
+    Row {
+        topic: "pass 2: diffuse light into specular surfaces, by a cone",
+        title: "The second pass",
+        lab: true,
+        state: State::Done(Written {
+            page: "the-second-pass.md",
+            module: "src/trace/cone.rs",
+            figure: "pictures/second-pass-gloss-1.snap.png",
+            test: ("tests/trace_cone.rs", "a_lamp_half_in_the_cone_counts_half"),
+            lab: Some("labs/cone.md"),
+        }),
+    },
     Row {
         topic: "image-based light: rays that leave take the colour of a sky sphere",
         title: "Light from the sky",

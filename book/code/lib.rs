@@ -50,6 +50,7 @@ pub mod patches;
 pub mod pipeline;
 pub mod plan;
 pub mod shooting;
+pub mod second_pass;
 pub mod sky;
 pub mod side_by_side;
 pub mod solving;
@@ -102,6 +103,7 @@ mod pages {
         labs_cone: "labs/cone.md",
         mirrors_and_windows: "mirrors-and-windows.md",
         solving: "solving.md",
+        the_second_pass: "the-second-pass.md",
         notation: "notation.md",
         bibliography: "bibliography.md",
         lecture_map: "lecture-map.md",

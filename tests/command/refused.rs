@@ -98,7 +98,7 @@ fn a_material_that_makes_light_of_nothing() {
     let kd = format!("{LAMP}newmtl snow\nKd 0.5 1.2 0.5\n");
     bad_file(lit("usemtl snow\nf 4 3 2 1\n"), &kd, &["a.mtl", "`snow`", "lower Kd"]);
     let sum = format!("{LAMP}newmtl wax\nKd 0.7 0.7 0.7\nKs 0.1 0.4 0.1\n");
-    bad_file(lit("usemtl wax\nf 4 3 2 1\n"), &sum, &["a.mtl", "`wax`", "Kd + Ks"]);
+    bad_file(lit("usemtl wax\nf 4 3 2 1\n"), &sum, &["a.mtl", "`wax`", "Kd + Td + Ks"]);
 }
 
 #[test]
@@ -213,7 +213,7 @@ fn what_is_not_understood_ends_with_2() {
         "render furnace -o x.png --size -5x5",
         "render furnace -o x.png --eye 1,2",
         "render furnace -o x.png --exposure bright",
-        "render furnace -o x.png --method two-pass",
+        "render furnace -o x.png --method guess",
         "render furnace -o x.png --view mistake",
         "solve furnace -o x.csv --sky uniform:1,1",
         "solve furnace -o x.csv --sky overcast:bright",

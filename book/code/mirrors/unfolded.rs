@@ -128,7 +128,7 @@ pub fn svg() -> String {
     line(&[(1.0, 0.0), (1.0, TOP)], blue);
     for (x, z, text) in [
         (-0.45, 1.08, "lamp"),
-        (1.75, 1.08, "its image, the part seen thick"),
+        (1.4, 1.08, "its image: what is seen, thick"),
         (1.04, 0.08, "mirror: a window"),
         (-0.06, -0.14, "x"),
     ] {

@@ -54,6 +54,8 @@ pub struct Direct<'a> {
     /// Texels of the sky that are lamps of their own: far away.
     suns: Vec<(Polygon, Rgb)>,
     sky: Option<&'a Sky>,
+    /// A usual radiance of it: what varies little beside that is even.
+    typical: f64,
     /// The sky without them.
     rest: Option<Sky>,
     world: VirtualWorld,
@@ -83,11 +85,13 @@ impl<'a> Direct<'a> {
         }
         let sky = scene.sky.as_ref().filter(|sky| sky.shines());
         let portals = if sky.is_some() { portals(scene) } else { Vec::new() };
+        let bright = sky.map_or(Rgb::ZERO, |sky| sky.irradiance(sky.up()));
+        let typical = (bright.max_element() / PI).max(f64::MIN_POSITIVE);
         let parted = sky.and_then(|sky| sky.without_suns(SUN, MOST_SUNS));
         let (suns, rest) = parted.unzip();
         let far = |sun: &Sun| lamp_far_away(sun, scene);
         let suns = suns.iter().flatten().filter_map(far).collect();
-        Direct { emitters, portals, suns, sky, rest, world }
+        Direct { emitters, portals, suns, sky, typical, rest, world }
     }
 
     /// How many images are looked at, the world itself being the first.
@@ -147,6 +151,7 @@ impl<'a> Direct<'a> {
             suns: self.suns.iter().flat_map(|l| lamp(&l.0, l.1)).collect(),
             portals: self.portals.iter().flat_map(of_sky).collect(),
             sky: self.rest.as_ref().or(self.sky),
+            typical: self.typical,
         }
     }
 }
@@ -158,6 +163,7 @@ pub struct OnPiece<'a> {
     suns: Vec<(Sight, Rgb)>,
     portals: Vec<Sight>,
     sky: Option<&'a Sky>,
+    typical: f64,
 }
 
 impl OnPiece<'_> {
@@ -176,9 +182,7 @@ impl OnPiece<'_> {
         let Some(sky) = self.sky.filter(|_| !self.portals.is_empty()) else {
             return suns;
         };
-        // Relative to a typical radiance, so that what is even is judged by that.
-        let typical =
-            (sky.irradiance(sky.up()).max_element() / PI).max(f64::MIN_POSITIVE);
+        let typical = self.typical;
         let radiance = |direction: DVec3| sky.radiance(direction) / typical;
         let from = |sight: &Sight| sight.irradiance(x, self.normal, &radiance);
         suns + typical * self.portals.iter().map(from).sum::<Rgb>()

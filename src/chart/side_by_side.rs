@@ -6,8 +6,9 @@
 //! error = √ max(0, rms² − noise²)            what the method itself is off by
 //! paths' seconds for the same error = seconds · (noise/error)²
 //! ```
-//! Pixels that are white in the reference, and their neighbours, do not count: the edge of
-//! a lamp, half a pixel off, would outweigh all else.
+//! Pixels that are twice as bright as white in the picture of two passes, which has no
+//! noise, and their neighbours do not count: the edge of a lamp, half a pixel off, would
+//! outweigh all else.
 
 use crate::film::{Picture, Shot, luminance};
 use crate::geometry::Rgb;
@@ -105,8 +106,9 @@ impl Comparison {
         solution: Solution,
     ) -> Comparison {
         let Traced { picture, error, classes, .. } = reference;
-        let exposure = picture.auto_exposure();
-        let counts = not_white(&picture, exposure);
+        let sure = &made[3].0;
+        let exposure = sure.auto_exposure();
+        let counts = not_white(sure, exposure);
         let zero = Picture::new(picture.width, picture.height);
         let sigma = Picture { pixels: error, ..zero };
         let noise = rms(&sigma, None, &counts) / mean(&picture, &counts);
@@ -208,11 +210,11 @@ fn smooth(
     (picture, before + seconds)
 }
 
-/// Pixels that are not white, and have no neighbour that is.
+/// Pixels that are not twice as bright as white, and have no neighbour that is.
 fn not_white(picture: &Picture, exposure: f64) -> Vec<bool> {
     let (width, height) = (picture.width as usize, picture.height as usize);
     let white = |x: usize, y: usize| {
-        picture.pixels[y * width + x].max_element() * exposure > 1.0 + 1e-9
+        picture.pixels[y * width + x].max_element() * exposure > 2.0
     };
     let about = |k: usize, most: usize| k.saturating_sub(1)..(k + 2).min(most);
     let counts = |k: usize| {

@@ -95,7 +95,8 @@ fn table(found: &Comparison) -> String {
     let left_out = percent(1.0 - counted as f64 / found.counts.len().max(1) as f64);
     let _ = writeln!(
         text,
-        "</table>\n<p>White pixels and their neighbours, {left_out} of all, do not count. \
+        "</table>\n<p>Pixels twice as bright as white and their neighbours, {left_out} of all, do \
+         not count. \
          Brightness is that of the picture, relative to the reference.</p>"
     );
     text

@@ -4,14 +4,15 @@ mod common;
 
 use common::rooms::{box_walls, rectangle};
 use glam::{DVec3, dvec2, dvec3};
-use radiosity::directional::{Bins, Directional, Scatter, Transport, Walk};
-use radiosity::geometry::{Polygon, Rgb};
+use radiosity::directional::{Bins, Directional, Scatter, Transport};
+use radiosity::geometry::{Polygon, Ray, Rgb};
 use radiosity::material::{Brdf, Coefficients, Lobe, Material, Shine};
 use radiosity::mesh::{Element, ElementId, Mesh};
 use radiosity::radiometry::cosine_direction;
 use radiosity::random::Stream;
 use radiosity::scene::{Face, MaterialId, Scene};
 use radiosity::solve::{Enclosure, GaussSeidel, Solver};
+use radiosity::trace::PathTracer;
 use std::f64::consts::PI;
 
 /// Emission, W/m², diffuse and specular reflectance.
@@ -192,22 +193,27 @@ fn what_escapes_is_counted() {
 /// A place on the floor, a direction to an eye, and what is seen there.
 type Look = (DVec3, DVec3, Rgb);
 
-/// What eyes see of the floor by so many walks each; the root mean square of the radiance,
+/// The ray of an eye that looks at the floor at `x`, from `wo`.
+fn look_at(x: DVec3, wo: DVec3) -> Ray {
+    Ray { origin: x + 1e-6 * wo, direction: -wo }
+}
+
+/// What eyes see of the floor by so many paths each; the root mean square of the radiance,
 /// and that of its standard error.
-fn looks(scene: &Scene, walks: usize) -> (Vec<Look>, f64, f64) {
-    let walk = Walk::of(scene);
+fn looks(scene: &Scene, paths: usize) -> (Vec<Look>, f64, f64) {
+    let tracer = PathTracer::of(scene);
     let places = Stream::named(5, &[]).points(60).collect::<Vec<[f64; 4]>>();
     let (mut norm, mut noise) = (0.0, 0.0);
     let look = |(k, &[a, b, c, d]): (usize, &[f64; 4])| {
         let (x, wo) = (dvec3(a, b, 0.0), cosine_direction(dvec2(c, d)));
         let mut random = Stream::named(6, &[k as u64]);
         let (mut sum, mut squares) = (Rgb::ZERO, 0.0);
-        for _ in 0..walks {
-            let l = walk.radiance(FLOOR, x, wo, &mut random);
+        for _ in 0..paths {
+            let l = tracer.radiance(look_at(x, wo), &mut random);
             sum += l;
             squares += l.length_squared();
         }
-        let n = walks as f64;
+        let n = paths as f64;
         let mean = sum / n;
         norm += mean.length_squared();
         noise += (squares / n - mean.length_squared()) / n;
@@ -216,29 +222,25 @@ fn looks(scene: &Scene, walks: usize) -> (Vec<Look>, f64, f64) {
     (places.iter().enumerate().map(look).collect(), norm.sqrt(), noise.sqrt())
 }
 
-/// The power that the floor sends, by walks from everywhere to everywhere; to 0.5 %.
+/// The power that the floor sends, by paths from everywhere to everywhere; to 0.5 %.
 fn sent_by_the_floor(scene: &Scene) -> Rgb {
-    let walk = Walk::of(scene);
+    let tracer = PathTracer::of(scene);
     let mut random = Stream::named(8, &[]);
-    const WALKS: usize = 200_000;
-    let places = Stream::named(7, &[]).points(WALKS);
+    const PATHS: usize = 40_000;
+    let places = Stream::named(7, &[]).points(PATHS);
     let one = |[a, b, c, d]: [f64; 4]| {
-        walk.radiance(
-            FLOOR,
-            dvec3(a, b, 0.0),
-            cosine_direction(dvec2(c, d)),
-            &mut random,
-        )
+        let (x, wo) = (dvec3(a, b, 0.0), cosine_direction(dvec2(c, d)));
+        tracer.radiance(look_at(x, wo), &mut random)
     };
-    PI * places.map(one).sum::<Rgb>() / WALKS as f64
+    PI * places.map(one).sum::<Rgb>() / PATHS as f64
 }
 
 /// Patches and bins, ever finer: what an eye sees of the glossy floor comes nearer to what
-/// unbiased walks find, slowly; what the floor sends in all comes near at once.
+/// unbiased paths find, slowly; what the floor sends in all comes near at once.
 #[test]
-fn it_converges_to_random_walks() {
+fn it_converges_to_path_tracing() {
     let scene = room(0.6);
-    let (looks, norm, noise) = looks(&scene, 4000);
+    let (looks, norm, noise) = looks(&scene, 1000);
     assert!(noise < 0.05 * norm, "{}", noise / norm);
     let sent = sent_by_the_floor(&scene);
     let cases = [

@@ -47,6 +47,8 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(crate::mirrors::files());
     files.extend(crate::side_by_side::files());
     files.extend(crate::second_pass::files());
+    files.extend(crate::directional::files());
+    files.extend(crate::display::files());
     let src = root().join("src");
     files.into_iter().map(|(name, text)| (src.join(name), text)).collect()
 }

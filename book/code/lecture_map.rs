@@ -144,11 +144,18 @@ pub const ROWS: [Row; 23] = [
             lab: None,
         }),
     },
-    planned(
-        "the final view by a z-buffer; a walk through the solved scene",
-        "The final view",
-        false,
-    ),
+    Row {
+        topic: "the final view by a z-buffer (a walk through the scene is not here yet)",
+        title: "The picture",
+        lab: false,
+        state: State::Done(Written {
+            page: "the-picture.md",
+            module: "src/raster",
+            figure: "pictures/picture-smooth.snap.png",
+            test: ("tests/film.rs", "smooth_shading_is_correct_in_perspective"),
+            lab: None,
+        }),
+    },
     Row {
         topic: "hemicube: render the scene onto half a cube, ids instead of colours",
         title: "The hemicube",
@@ -227,11 +234,18 @@ pub const ROWS: [Row; 23] = [
             lab: None,
         }),
     },
-    planned(
-        "specular radiosity: the full BRDF in place of the albedo",
-        "Specular radiosity",
-        false,
-    ),
+    Row {
+        topic: "specular radiosity: the full BRDF in place of the albedo",
+        title: "Why not specular radiosity?",
+        lab: false,
+        state: State::Done(Written {
+            page: "why-not-specular-radiosity.md",
+            module: "src/directional",
+            figure: "pictures/directional-floor.snap.png",
+            test: ("tests/directional.rs", "it_converges_to_path_tracing"),
+            lab: None,
+        }),
+    },
     Row {
         topic: "two-pass, pass 1: translucent surfaces and the window form factor",
         title: "Mirrors and windows",

@@ -7,6 +7,8 @@
 //! | [`lecture_map`] | which page, figure, test and lab stands for which row        |
 //! | [`generated`]   | the files of `book/src` that a program writes                |
 //! | [`chart`]       | speed against accuracy, as SVG                               |
+//! | [`display`]     | figures and numbers of *The picture*                         |
+//! | [`directional`] | figures and numbers of *Why not specular radiosity?*        |
 //! | [`cornell`]     | the picture on the first page                                |
 //! | [`map`]         | a number for each pixel, in false colour                     |
 //! | [`ledger`]      | where the light went, as a table                             |
@@ -35,6 +37,8 @@
 pub mod certificate;
 pub mod chart;
 pub mod cornell;
+pub mod directional;
+pub mod display;
 pub mod equation;
 pub mod factors;
 pub mod generated;
@@ -78,6 +82,7 @@ mod pages {
         how_wrong: "how-wrong.md",
         form_factors: "form-factors.md",
         pipeline: "pipeline.md",
+        the_picture: "the-picture.md",
         hemicube: "hemicube.md",
         patches_and_elements: "patches-and-elements.md",
         hierarchy: "hierarchy.md",
@@ -104,6 +109,7 @@ mod pages {
         mirrors_and_windows: "mirrors-and-windows.md",
         solving: "solving.md",
         the_second_pass: "the-second-pass.md",
+        why_not_specular_radiosity: "why-not-specular-radiosity.md",
         notation: "notation.md",
         bibliography: "bibliography.md",
         lecture_map: "lecture-map.md",

@@ -19,7 +19,6 @@
 //! | [`Transport`] | all beams between few patches are due | memory ends: `n² m` pairs |
 //! | [`Scatter`]   | a BRDF is met in bins                 | memory ends: `m²` a paint |
 //! | [`Directional`] | a small glossy scene, for all eyes  | the same                  |
-//! | [`Walk`]      | the truth is wanted                   | lamps are small: noise    |
 //!
 //! **Not here:** mirrors, panes and glass, which have no BRDF; translucence; cameras. This is a demonstration:
 //! rays and a second pass carry gloss for less. Chapter *Why not specular radiosity?* (L16).
@@ -29,12 +28,10 @@
 mod bins;
 mod scatter;
 mod transport;
-mod walk;
 
 pub use bins::Bins;
 pub use scatter::Scatter;
 pub use transport::Transport;
-pub use walk::Walk;
 
 use crate::geometry::Rgb;
 use crate::mesh::{ElementId, Mesh};
@@ -136,7 +133,9 @@ impl<'a> Directional<'a> {
         self.next = self.lit();
         self.draw_up()
     }
+    // ANCHOR_END: bounce
 
+    // ANCHOR: lit
     /// What leaves when this arrives: `E/π + S L_in`.
     fn lit(&self) -> Vec<Rgb> {
         let m = self.transport.bins().len();
@@ -149,7 +148,7 @@ impl<'a> Directional<'a> {
         };
         self.incoming.par_chunks(m).enumerate().flat_map_iter(patch).collect()
     }
-    // ANCHOR_END: bounce
+    // ANCHOR_END: lit
 
     /// Every beam carries `A_i π/m` times its radiance.
     fn draw_up(&self) -> Ledger {

@@ -25,8 +25,8 @@ pub struct Scatter {
 /// Points along an edge of the chessboard, at least; and two along that of a bin.
 const POINTS: u32 = 32;
 
-/// What the sums may differ from the albedo by, relative.
-const ROUNDING: f64 = 1e-14;
+/// From here on, relative, scaling stops when it makes the sums no better.
+const ROUNDING: f64 = 1e-12;
 
 const MOST_ROUNDS: usize = 1000;
 
@@ -88,6 +88,7 @@ fn points(bins: Bins, bin: u32) -> Vec<DVec3> {
 fn balance(shares: &mut [Rgb], sums: &[Rgb]) {
     let m = sums.len();
     let mut scale = vec![Rgb::ONE; m];
+    let mut last = f64::INFINITY;
     for _ in 0..MOST_ROUNDS {
         let mut worst = 0.0_f64;
         for (b, &wanted) in sums.iter().enumerate() {
@@ -100,9 +101,10 @@ fn balance(shares: &mut [Rgb], sums: &[Rgb]) {
                 scale[b][k] = (scale[b][k] * full).sqrt();
             }
         }
-        if worst < ROUNDING {
+        if worst < ROUNDING && worst >= last {
             break;
         }
+        last = worst;
     }
     for (k, share) in shares.iter_mut().enumerate() {
         *share *= scale[k / m] * scale[k % m];

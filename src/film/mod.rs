@@ -17,7 +17,7 @@
 //! All averaging is done on linear radiance; only the last step to bytes is not linear.
 //!
 //! **Not here:** tone curves: what is brighter than white is white, and the share of
-//! such pixels is reported. Chapter *The final view* (L09). Sources: IEC
+//! such pixels is reported. Chapter *The picture* (L09). Sources: IEC
 //! 61966-2-1:1999; Poynton 2003.
 
 mod compare;
@@ -57,11 +57,11 @@ impl Picture {
         Picture { width, height, pixels }
     }
 
-    // ANCHOR: auto_exposure
     /// The factor that makes the brightest channel of 97 % of the lit pixels at most 1.
     ///
     /// In 1/(W/(m² sr)), positive. A lamp in the picture covers a few per cent at most
     /// and may clamp; what it lights may not. 1 for a black picture.
+    // ANCHOR: auto_exposure
     pub fn auto_exposure(&self) -> f64 {
         let brightest = self.pixels.iter().map(|l| l.max_element());
         let mut lit: Vec<f64> =

@@ -26,7 +26,7 @@
 //! is seen edge-on and covers nothing. (Such polygons are skipped.)
 //!
 //! **Not here:** colours ([`crate::film`]); hemicube weights
-//! ([`crate::form_factor::hemicube`]). Chapters *The final view* (L09) and *The
+//! ([`crate::form_factor::hemicube`]). Chapters *The picture* (L09) and *The
 //! hemicube* (L10). Sources: Catmull 1974 (z-buffer); Weghorst, Hooper & Greenberg 1984
 //! (item buffer); Blinn & Newell 1978 (homogeneous clipping).
 

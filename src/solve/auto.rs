@@ -68,7 +68,8 @@ pub fn resolution_for(scene: &Scene, tolerance: f64) -> Resolution {
 const MOST_PASSES: usize = 6;
 
 /// Solves a scene, from the resolution `first` on to finer ones, until the certificate
-/// says that the tolerance is met, or more patches would be needed than are allowed.
+/// says that the tolerance is met, more patches would be needed than are allowed, or finer
+/// ones gain nothing.
 ///
 /// Deterministic: the same at any number of threads.
 pub fn automatic(
@@ -93,7 +94,7 @@ pub fn automatic(
         let finer = (0.75 * ask.tolerance / certificate.high).clamp(0.4, 0.8);
         let patches = light.patches as f64 / finer;
         let refined = light.mesh.elements.len() < ask.most_elements;
-        let possible = patches <= ask.most_patches as f64 && refined;
+        let possible = patches <= ask.most_patches as f64 && refined && gains(&passes);
         if converged || !possible || passes.len() == MOST_PASSES {
             return (solution(scene, light, certificate, converged), passes);
         }
@@ -104,6 +105,19 @@ pub fn automatic(
             hemicube: (how.hemicube as f64 * finer.sqrt().recip()) as u32 / 2 * 2,
             ..how
         };
+    }
+}
+
+/// A finer attempt that leaves more than this share of the error found noise, which stays.
+const NO_GAIN: f64 = 0.8;
+
+/// Did the last attempt gain enough on the one before?
+fn gains(passes: &[Pass]) -> bool {
+    match passes {
+        [.., before, last] => {
+            last.certificate.error <= NO_GAIN * before.certificate.error
+        }
+        _ => true,
     }
 }
 

@@ -27,7 +27,7 @@ const RAYS: f64 = 512.0;
 
 /// The same where gloss or glass bends them: these have to find the lamps, too, which flat
 /// mirrors show as images.
-const RAYS_BENT: f64 = 4096.0;
+const RAYS_BENT: f64 = 2048.0;
 
 /// What the rays of a corner found.
 #[derive(Clone, Debug, Default)]

@@ -285,7 +285,7 @@ struct Clear {
 }
 
 // ANCHOR: survives
-/// Russian roulette: a path of little weight ends by chance, and counts for those that end.
+/// Russian roulette: a path of little weight ends by chance; others count for it.
 fn survives(walk: &mut Walk, random: &mut Stream) -> bool {
     if walk.bounces < SURE_BOUNCES {
         return true;

@@ -43,7 +43,7 @@ fn round(value: f64, units: &[&str], step: f64) -> String {
         (value, unit) = (value / step, unit + 1);
     }
     let digits = usize::from(value < 9.95);
-    format!("{value:.digits$} {}", units[unit])
+    format!("{value:.digits$}\u{202f}{}", units[unit])
 }
 
 fn bytes(b: f64) -> String {
@@ -77,13 +77,13 @@ fn count(n: f64) -> String {
 /// What was measured, line by line.
 pub fn table() -> String {
     let mut text = String::from(
-        "| patches | bins | unknowns | pairs of beams | memory | rays and repair | a bounce | \
-         error |\n|---|---|---|---|---|---|---|---|\n",
+        "| patches | bins | unknowns | pairs | memory | rays | bounce | error |\n\
+         |---|---|---|---|---|---|---|---|\n",
     );
     for run in runs("bins") {
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {:.0} % |",
+            "| {} | {} | {} | {} | {} | {} | {} | {:.0}\u{202f}% |",
             count(run.patches),
             run.bins,
             count(run.unknowns),

@@ -42,6 +42,9 @@ fn lobe(degrees: f64) -> f64 {
     degrees.to_radians().cos().powf(EXPONENT)
 }
 
+/// A height over an angle.
+type Profile = fn(f64) -> f64;
+
 /// The drawing, in the colour of the text around it.
 pub fn svg() -> String {
     let mut svg = String::from(
@@ -50,7 +53,7 @@ pub fn svg() -> String {
          font-size=\"14\">\n<title>A Phong lobe over the angle from its axis, one cone of \
          the same power, and four cones stacked</title>\n",
     );
-    let curves: [(fn(f64) -> f64, &str); 3] = [
+    let curves: [(Profile, &str); 3] = [
         (one_cone, "stroke=\"#d55e00\" stroke-width=\"2\""),
         (stack, "stroke=\"#3b8fd0\" stroke-width=\"2\""),
         (lobe, "stroke-width=\"1.5\""),

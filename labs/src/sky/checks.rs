@@ -23,8 +23,11 @@ pub const ALL: &[Check<Work>] = &[
 /// The size of a panorama.
 type Size = (usize, usize);
 
+/// A solid angle, from the size of a panorama and a row.
+type Texel = fn(Size, f64) -> f64;
+
 /// Wrong solid angles.
-const WRONG_TEXELS: &[(Bug, fn(Size, f64) -> f64)] = &[
+const WRONG_TEXELS: &[(Bug, Texel)] = &[
     (NO_SINE, |(w, h), _| TAU / w as f64 * PI / h as f64),
     (UPPER_EDGE, |(w, h), row| {
         TAU / w as f64 * PI / h as f64 * (PI * row / h as f64).sin()

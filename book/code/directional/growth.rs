@@ -77,20 +77,19 @@ fn count(n: f64) -> String {
 /// What was measured, line by line.
 pub fn table() -> String {
     let mut text = String::from(
-        "| patches | bins | unknowns | pairs | memory | rays | bounce | error |\n\
-         |---|---|---|---|---|---|---|---|\n",
+        "| patches | bins | unknowns | pairs | memory | rays | error |\n\
+         |---|---|---|---|---|---|---|\n",
     );
     for run in runs("bins") {
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {:.0}\u{202f}% |",
+            "| {} | {} | {} | {} | {} | {} | {:.0}\u{202f}% |",
             count(run.patches),
             run.bins,
             count(run.unknowns),
             count(run.pairs),
             bytes(run.bytes),
             time(run.before),
-            time(run.bounce),
             100.0 * run.error
         );
     }

@@ -49,7 +49,9 @@ pub fn picture() -> RgbImage {
             let (x, y) = (k as u32 % shot.width, k as u32 / shot.width);
             let at = View::pixel_centre(x, y, shot.width, shot.height);
             *pixel = match values(at) {
-                Some(v) if (8.0 * v[which]) as u32 % 2 == 0 => Rgb::splat(0.8),
+                Some(v) if ((8.0 * v[which]) as u32).is_multiple_of(2) => {
+                    Rgb::splat(0.8)
+                }
                 Some(_) => dvec3(0.08, 0.2, 0.5),
                 None => Rgb::splat(0.02),
             };

@@ -100,8 +100,10 @@ fn by_two_passes(truth: &Picture) {
     }
 }
 
+type Measure = fn(&Picture);
+
 /// All that is measured; the first argument may name one that is to be measured alone.
-const METHODS: [(&str, fn(&Picture)); 3] =
+const METHODS: [(&str, Measure); 3] =
     [("bins", by_bins), ("paths", by_paths), ("two-pass", by_two_passes)];
 
 fn main() {

@@ -78,8 +78,11 @@ fn place_of((w, h): Size, column: f64, row: f64) -> DVec3 {
     dvec3(sine * right, cosine, -sine * ahead)
 }
 
+/// A direction made of another.
+type Turn = fn(DVec3) -> DVec3;
+
 /// Wrong ways with a direction that is right.
-const WRONG_PLACES: &[(Bug, fn(DVec3) -> DVec3)] = &[
+const WRONG_PLACES: &[(Bug, Turn)] = &[
     (TURNED, |d| dvec3(-d.x, d.y, -d.z)),
     (MIRRORED, |d| dvec3(-d.x, d.y, d.z)),
     (MIRRORED, |d| dvec3(d.x, d.y, -d.z)),

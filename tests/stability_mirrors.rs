@@ -98,3 +98,25 @@ fn a_thick_pane_brings_the_world_nearer() {
     let dim = 1.0 - seems * seems; // E falls as 1/d²
     assert!((0.065..0.067).contains(&dim), "{dim}");
 }
+
+/// Row 67: a mirror that is not flat has no image. As a face it is split, with a warning, into
+/// flat mirrors, each with an image of its own; there is none for the whole.
+#[test]
+fn a_twisted_mirror_is_two_flat_ones_and_said_to_be() {
+    use radiosity::material::{Coefficients, Material, Shine};
+    use radiosity::scene::{Face, MaterialId, Scene, Warning};
+    let shine = Shine::Mirror { reflectance: DVec3::ONE };
+    let mirror =
+        Material::new("mirror", Coefficients { shine, ..Default::default() }).unwrap();
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.3], [0.0, 1.0, 0.0]];
+    let outline = corners.map(DVec3::from_array).to_vec();
+    let face = Face { outline, material: MaterialId(0) };
+    let (scene, warnings) =
+        Scene::assemble("twisted", vec![mirror], vec![face], None).unwrap();
+    assert!(matches!(warnings[..], [Warning::Split { pieces: 2, .. }]), "{warnings:?}");
+    let world = VirtualWorld::of(&scene, 1);
+    let [a, b] = world.mirrors() else { panic!("{} mirrors", world.mirrors().len()) };
+    let apart = a.outline.normal().angle_between(b.outline.normal());
+    assert!(apart > 0.2, "one image would do: {apart}");
+    assert_eq!(world.images().len(), 3, "the world itself, and one for each");
+}

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::mirrored::{diffuse, factor, lamp, mirror, scene_of, spot};
+use common::mirrored::{diffuse, factor, lamp, mirror, reflected, scene_of, spot};
 use common::rooms::rectangle;
 use glam::{DVec3, dvec3};
 use radiosity::geometry::{Polygon, Ray, Rgb};
@@ -83,12 +83,6 @@ fn by_screen(top: f64, more: Option<Polygon>) -> (Scene, VirtualWorld) {
     let scene = scene_of(faces.into_iter().chain(more));
     let world = VirtualWorld::of(&scene, 1);
     (scene, world)
-}
-
-fn reflected(world: &VirtualWorld) -> f64 {
-    let sights = world.sights(&spot(), &lamp());
-    let once = sights.iter().filter(|s| s.level() == 1);
-    once.map(|s| s.factor(DVec3::ZERO, DVec3::Z).x).sum()
 }
 
 /// An image is seen through the mirror's outline only.

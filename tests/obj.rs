@@ -1,40 +1,13 @@
 //! OBJ and MTL files: what is read, what is repaired, and what is refused, in which words.
 
+#[path = "common/texts.rs"]
+mod texts;
+
 use glam::{DVec3, dvec3};
 use radiosity::material::{Coefficients, Material, Shine};
 use radiosity::obj;
 use radiosity::scene::{Face, FaceId, MaterialId, Scene, builtins};
-use std::io;
-use std::path::{Path, PathBuf};
-
-/// Reads `obj` as `room.obj`, beside which there is only `room.mtl`.
-fn read(obj: &str, mtl: &str) -> Result<(Scene, Vec<String>), obj::ObjError> {
-    obj::read(Path::new("room.obj"), obj.as_bytes(), |path| match path.to_str() {
-        Some("room.mtl") => Ok(mtl.into()),
-        _ => Err(io::ErrorKind::NotFound.into()),
-    })
-}
-
-fn sound(obj: &str, mtl: &str) -> (Scene, Vec<String>) {
-    read(obj, mtl).unwrap_or_else(|error| panic!("{error}"))
-}
-
-fn message(obj: &str, mtl: &str) -> String {
-    match read(obj, mtl) {
-        Ok(_) => panic!("accepted:\n{obj}\n{mtl}"),
-        Err(error) => error.to_string(),
-    }
-}
-
-/// An empty folder of this test's own.
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+use texts::{SQUARE, folder, message, sound};
 
 // --- What is read -------------------------------------------------------------------
 

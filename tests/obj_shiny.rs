@@ -1,34 +1,16 @@
 //! OBJ and MTL files: what mirrors, lets light through, is textured; and the sky.
 
+#[path = "common/texts.rs"]
+mod texts;
+
 use glam::{DVec3, dvec3};
 use radiosity::material::Shine;
 use radiosity::obj;
 use radiosity::scene::{Scene, builtins};
 use radiosity::sky::{Panorama, Sky};
 use std::io;
-use std::path::{Path, PathBuf};
-
-/// Reads `obj` as `room.obj`, beside which there is only `room.mtl`.
-fn read(obj: &str, mtl: &str) -> Result<(Scene, Vec<String>), obj::ObjError> {
-    obj::read(Path::new("room.obj"), obj.as_bytes(), |path| match path.to_str() {
-        Some("room.mtl") => Ok(mtl.into()),
-        _ => Err(io::ErrorKind::NotFound.into()),
-    })
-}
-
-fn sound(obj: &str, mtl: &str) -> (Scene, Vec<String>) {
-    read(obj, mtl).unwrap_or_else(|error| panic!("{error}"))
-}
-
-/// An empty folder of this test's own.
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+use std::path::Path;
+use texts::{SQUARE, folder, read, sound};
 
 #[test]
 fn what_shines_is_read_by_its_illumination_model() {

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::mirrored::{diffuse, lamp, mirror, scene_of, spot};
+use common::mirrored::{diffuse, lamp, mirror, reflected, scene_of, spot};
 use common::rooms::{box_walls, moved, rectangle};
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::analytic::lambert_polygon;
@@ -20,12 +20,6 @@ fn world(card: Option<Polygon>) -> (Scene, VirtualWorld) {
     let scene = scene_of(faces.into_iter().chain(card));
     let world = VirtualWorld::of(&scene, 1);
     (scene, world)
-}
-
-fn reflected(world: &VirtualWorld) -> f64 {
-    let sights = world.sights(&spot(), &lamp());
-    let once = sights.iter().filter(|s| s.level() == 1);
-    once.map(|s| s.factor(DVec3::ZERO, DVec3::Z).x).sum()
 }
 
 /// Failure 61: an image that is not clipped to its mirror is 42 % too bright here.

@@ -3,6 +3,7 @@
 use super::compare_page::page;
 use super::methods::classes_json;
 use super::output::{Refusal, Terminal, write};
+use super::report::percent;
 use super::sky::Lit;
 use super::solve::checked;
 use super::values::{self, Size};
@@ -112,7 +113,7 @@ fn table(found: &Comparison) -> String {
     );
     for panel in &found.panels {
         let Panel { name, seconds, brightness, .. } = panel;
-        let error = format!("{:.2} %", 100.0 * error_of(found, panel));
+        let error = error_of(found, panel);
         let paths = paths_of(found, panel);
         text += &format!(
             "{name:<20}{seconds:>12.2}{error:>12}{brightness:>12.3}{paths:>22}\n"
@@ -121,9 +122,14 @@ fn table(found: &Comparison) -> String {
     text
 }
 
-/// The error of a panel; of the reference, its noise.
-pub fn error_of(found: &Comparison, panel: &Panel) -> f64 {
-    if panel.name == found.reference().name { found.noise } else { panel.error }
+/// The error of a panel, in words; of the reference, its noise. What is lost in the noise is
+/// told to be below it: it is not zero.
+pub fn error_of(found: &Comparison, panel: &Panel) -> String {
+    match found.paths_seconds(panel) {
+        _ if panel.name == found.reference().name => percent(found.noise),
+        Some(_) => percent(panel.error),
+        None => format!("< {}", percent(0.5 * found.noise)),
+    }
 }
 
 /// What paths would take for the same error, in words.

@@ -46,7 +46,7 @@ fn row(found: &Comparison, names: &[&str], kind: &str) -> String {
     let mut text = String::from("<div class=\"row\">\n");
     for panel in names.iter().filter_map(|name| found.panel(name)) {
         let Panel { name, about, seconds, .. } = panel;
-        let error = percent(error_of(found, panel));
+        let error = error_of(found, panel).replace('<', "&lt;");
         let title = name.replace('-', " ");
         let error = match panel.name == found.reference().name {
             true => format!("noise {error}"),
@@ -83,7 +83,8 @@ fn table(found: &Comparison) -> String {
     );
     for panel in &found.panels {
         let Panel { name, seconds, brightness, .. } = panel;
-        let (title, error) = (name.replace('-', " "), percent(error_of(found, panel)));
+        let (title, error) = (name.replace('-', " "), error_of(found, panel));
+        let error = error.replace('<', "&lt;");
         let paths = paths_of(found, panel);
         let _ = writeln!(
             text,

@@ -56,3 +56,10 @@ pub fn factor(
     let sights = world.sights(piece, target);
     sights.iter().map(|sight| sight.factor(x, piece.normal())).sum()
 }
+
+/// The factor from the middle of [`spot`] to [`lamp`] by one reflection.
+pub fn reflected(world: &VirtualWorld) -> f64 {
+    let sights = world.sights(&spot(), &lamp());
+    let once = sights.iter().filter(|s| s.level() == 1);
+    once.map(|s| s.factor(DVec3::ZERO, DVec3::Z).x).sum()
+}

@@ -17,6 +17,7 @@
 //! | [`equation`]    | figures and numbers of *The radiosity equation*              |
 //! | [`pipeline`]    | figures and numbers of *The pipeline*                        |
 //! | [`factors`]     | figures and numbers of the chapter on form factors           |
+//! | [`failures`]    | the gallery of *Where methods fail*                          |
 //! | [`surface`]     | figures and numbers of the chapters L04 and L05              |
 //! | [`shooting`]    | figures and numbers of the chapters on shooting, L13 and L14 |
 //! | [`certificate`] | figures and numbers of *How wrong is it?*                     |
@@ -41,6 +42,7 @@ pub mod directional;
 pub mod display;
 pub mod equation;
 pub mod factors;
+pub mod failures;
 pub mod generated;
 pub mod hemicube;
 pub mod html;

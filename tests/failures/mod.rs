@@ -1,0 +1,93 @@
+//! The failures of all methods, as curves: one knob, one quantity, and where theory says it
+//! lies. The tests `stability_*` assert them, the book's page *Where methods fail* draws
+//! them; both call the same functions, so that what is shown is what is tested.
+//!
+//! The wrong methods live here and not in the crate: the crate has what works.
+#![allow(dead_code)] // each test uses its part
+
+pub mod display;
+pub mod factors;
+pub mod hemicube;
+pub mod meshing;
+pub mod passes;
+pub mod solver;
+pub mod visibility;
+
+/// A row of the table of failures.
+#[derive(Clone, Copy)]
+pub struct Row {
+    /// From 1 to 82.
+    pub number: u8,
+    /// What fails, in a few words: "The centre is not the mean".
+    pub name: &'static str,
+    /// Why it fails: the assumption that is broken, in one sentence.
+    pub why: &'static str,
+    /// How large it is, or that ours does not suffer it, in one sentence with numbers.
+    pub size: &'static str,
+    /// What holds against it: one sentence.
+    pub remedy: &'static str,
+    /// The tests that assert it: `stability_pairs::row_02_…`; none if left out.
+    pub tests: &'static [&'static str],
+    /// What the gallery shows.
+    pub shown: Shown,
+}
+
+/// The picture of a row.
+#[derive(Clone, Copy)]
+pub enum Shown {
+    /// A curve, computed when the page is made.
+    Curve(fn() -> Sweep),
+    /// A snapshot under `book/src/pictures`, and what is seen on it.
+    Picture(&'static str, &'static str),
+    /// Not shown, and why.
+    Nothing(&'static str),
+}
+
+/// A failure as a curve.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// What is turned, and its unit: "distance / side".
+    pub knob: &'static str,
+    /// What is watched, and its unit: "error of F, %".
+    pub quantity: &'static str,
+    /// Is the knob's axis logarithmic? Is the quantity's?
+    pub logarithmic: [bool; 2],
+    /// What was found: knob and quantity, a line for each method, at most four.
+    pub found: Vec<Found>,
+    /// Where theory says it lies: a closed form, a law, an exact value; may be the level that
+    /// must not be passed.
+    pub theory: Vec<[f64; 2]>,
+    /// What the theory is: "|F − F*|, Lambert's exact".
+    pub law: &'static str,
+}
+
+/// What one method gave.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The method.
+    pub method: &'static str,
+    /// Knob and quantity.
+    pub points: Vec<[f64; 2]>,
+}
+
+impl Sweep {
+    /// The quantity that the first method gave at a place of the knob.
+    pub fn at(&self, knob: f64) -> f64 {
+        let near = |p: &&[f64; 2]| (p[0] - knob).abs() <= 1e-9 * knob.abs().max(1e-300);
+        self.found[0].points.iter().find(near).map_or(f64::NAN, |p| p[1])
+    }
+}
+
+/// All rows, in order.
+pub fn rows() -> Vec<Row> {
+    let families = [
+        factors::ROWS,
+        hemicube::ROWS,
+        visibility::ROWS,
+        meshing::ROWS,
+        solver::ROWS,
+        passes::ROWS,
+        display::ROWS,
+    ];
+    families.concat()
+}

@@ -2,7 +2,8 @@
 //! lies. The tests `stability_*` assert them, the book's page *Where methods fail* draws
 //! them; both call the same functions, so that what is shown is what is tested.
 //!
-//! The wrong methods live here and not in the crate: the crate has what works.
+//! The wrong methods live here and not in the crate: the crate has what works. A test that
+//! has these modules takes its [`rooms`] from here, too.
 #![allow(dead_code)] // each test uses its part
 
 pub mod display;
@@ -10,6 +11,8 @@ pub mod factors;
 pub mod hemicube;
 pub mod meshing;
 pub mod passes;
+#[path = "../common/rooms.rs"]
+pub mod rooms;
 pub mod solver;
 pub mod visibility;
 

@@ -5,11 +5,11 @@
 
 mod common;
 
-use common::any::squares_with_screen;
 use common::rooms::{
     black, box_walls, exact_factors, gathered, moved, rectangle, rows, scene,
     unit_square,
 };
+use common::shapes::squares_with_screen;
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::analytic::{Analytic, exchange, lambert_polygon};
 use radiosity::form_factor::cast::Cast;

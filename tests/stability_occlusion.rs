@@ -4,8 +4,8 @@
 
 mod common;
 
-use common::any::squares_with_screen;
 use common::rooms::{black, box_walls, moved, rectangle, rows, unit_square};
+use common::shapes::squares_with_screen;
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::hemicube::{Face, Hemicube};

@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::any::squares_with_screen;
 use common::rooms::black;
+use common::shapes::squares_with_screen;
 use common::{cases, pieces, within};
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::geometry::Polygon;

@@ -1,6 +1,6 @@
 //! Anything that a law must hold for: polygons, poses, rooms with a block in them.
 
-use super::rooms::{box_walls, coloured_scene, moved, rectangle};
+use super::rooms::{box_walls, coloured_scene, moved};
 use glam::{DQuat, DVec3, dvec3};
 use proptest::prelude::*;
 use radiosity::geometry::{Plane, Polygon, Rgb};
@@ -112,19 +112,4 @@ pub fn convex_room() -> impl Strategy<Value = Room> {
             Room { faces: walls.map(face).collect(), open: false }
         },
     )
-}
-
-/// Two unit squares face to face at distance 1, and a rectangle that stands half-way.
-pub fn squares_with_screen(
-    u: std::ops::Range<f64>,
-    v: std::ops::Range<f64>,
-) -> Vec<Polygon> {
-    let square = rectangle(DVec3::ZERO, DVec3::X, DVec3::Y);
-    let lid = moved(&square, |p| p + DVec3::Z).flipped();
-    let screen = rectangle(
-        dvec3(u.start, v.start, 0.5),
-        DVec3::X * (u.end - u.start),
-        DVec3::Y * (v.end - v.start),
-    );
-    vec![square, lid, screen]
 }

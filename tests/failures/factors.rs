@@ -1,4 +1,4 @@
-//! Failures of form factors: rows 1 to 17.
+//! Failures of form factors, in points and pieces: rows 1 to 7.
 
 use super::Row;
 

@@ -1,4 +1,4 @@
-//! Failures of the hemicube and the raster: rows 18 to 28.
+//! Failures of the hemicube: rows 18 to 22.
 
 use super::Row;
 

@@ -3,16 +3,24 @@
 //! them; both call the same functions, so that what is shown is what is tested.
 //!
 //! The wrong methods live here and not in the crate: the crate has what works. A test that
-//! has these modules takes its [`rooms`] from here, too.
+//! has these modules takes its [`rooms`] and
+//! [`shapes`] from here, too.
 #![allow(dead_code)] // each test uses its part
 
 pub mod display;
 pub mod factors;
 pub mod hemicube;
+pub mod matrices;
 pub mod meshing;
+pub mod pairs;
 pub mod passes;
+pub mod raster;
+#[allow(clippy::duplicate_mod)]
 #[path = "../common/rooms.rs"]
 pub mod rooms;
+#[allow(clippy::duplicate_mod)]
+#[path = "../common/shapes.rs"]
+pub mod shapes;
 pub mod solver;
 pub mod visibility;
 
@@ -76,8 +84,39 @@ pub struct Found {
 impl Sweep {
     /// The quantity that the first method gave at a place of the knob.
     pub fn at(&self, knob: f64) -> f64 {
-        let near = |p: &&[f64; 2]| (p[0] - knob).abs() <= 1e-9 * knob.abs().max(1e-300);
-        self.found[0].points.iter().find(near).map_or(f64::NAN, |p| p[1])
+        self.by(0, knob)
+    }
+
+    /// The same of the method in this place of the list.
+    pub fn by(&self, method: usize, knob: f64) -> f64 {
+        place(&self.found[method].points, knob)
+    }
+
+    /// What theory says at a place of the knob.
+    pub fn expected(&self, knob: f64) -> f64 {
+        place(&self.theory, knob)
+    }
+}
+
+/// NaN where there is no point.
+fn place(points: &[[f64; 2]], knob: f64) -> f64 {
+    let near = |p: &&[f64; 2]| (p[0] - knob).abs() <= 1e-9 * knob.abs().max(1e-300);
+    points.iter().find(near).map_or(f64::NAN, |p| p[1])
+}
+
+/// A line: the quantity at each place of the knob.
+pub fn curve(knobs: &[f64], mut quantity: impl FnMut(f64) -> f64) -> Vec<[f64; 2]> {
+    knobs.iter().map(|&knob| [knob, quantity(knob)]).collect()
+}
+
+impl Found {
+    /// What a method gives at each place of the knob.
+    pub fn over(
+        method: &'static str,
+        knobs: &[f64],
+        quantity: impl FnMut(f64) -> f64,
+    ) -> Found {
+        Found { method, points: curve(knobs, quantity) }
     }
 }
 
@@ -85,7 +124,10 @@ impl Sweep {
 pub fn rows() -> Vec<Row> {
     let families = [
         factors::ROWS,
+        pairs::ROWS,
+        matrices::ROWS,
         hemicube::ROWS,
+        raster::ROWS,
         visibility::ROWS,
         meshing::ROWS,
         solver::ROWS,

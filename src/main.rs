@@ -3,6 +3,10 @@
 
 mod command;
 
+/// Counts what is held: `chart` tells the most.
+#[global_allocator]
+static MEMORY: peak_alloc::PeakAlloc = peak_alloc::PeakAlloc;
+
 fn main() -> std::process::ExitCode {
     command::run()
 }

@@ -1,6 +1,6 @@
 //! Charts of measurements that are kept with their date: error over time.
 
-use radiosity::chart::{Chart, Line, Mark};
+use radiosity::chart::{Chart, Line, Mark, Trial};
 
 /// One measurement: a row of the CSV.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,5 +48,26 @@ pub fn svg(title: &str, points: &[Point], across: &str, upward: &str) -> String 
     };
     let lines = methods.into_iter().map(line).collect();
     let [title, across, upward] = [title, across, upward].map(String::from);
-    Chart { title, across, upward, least: EXACT, lines }.svg()
+    Chart { title, across, upward, least: EXACT, lines, ..Chart::default() }.svg()
+}
+
+/// The trials of a suite, from the table that `radiosity chart SUITE -o book/data` wrote.
+pub fn trials(csv: &str) -> Vec<Trial> {
+    radiosity::chart::read(csv).unwrap_or_else(|told| panic!("{told}"))
+}
+
+/// The trial of this method and setting on a scene.
+pub fn find<'t>(
+    trials: &'t [Trial],
+    scene: &str,
+    method: &str,
+    setting: f64,
+) -> &'t Trial {
+    let fits = |t: &&Trial| {
+        t.scene == scene
+            && t.method == method
+            && (t.setting / setting - 1.0).abs() < 1e-9
+    };
+    let found = trials.iter().find(fits);
+    found.unwrap_or_else(|| panic!("{scene}, {method}, {setting} was not measured"))
 }

@@ -2,28 +2,38 @@
 //! picture.
 //!
 //! ```text
-//! transfers = Σ over steps of the factors used          work, the same on any machine
-//! seconds of one processor                              time, of this machine
-//! ‖B − B*‖/‖B* − E‖ ≤ residual/(1 − ρ)                  accuracy, the same for all
+//! seconds of one processor                   time, of this machine: the median of runs
+//! factors, rays, cells, steps, bytes         work, the same on any machine
+//! error, and how far the truth may be off    accuracy, in the measure of the scene
 //! ```
 //!
 //! | part       | use it when                             | it fails when                   |
 //! |------------|-----------------------------------------|---------------------------------|
-//! | [`Race`]   | solvers are to be compared              | the machine does something else |
-//! | [`patches`]| light itself is to be compared          | its truth is not finer          |
+//! | [`Contest`]| methods do one task, at settings        | its truth is not finer          |
+//! | [`suites`] | the charts of the book are made anew    | the machine does something else |
+//! | [`Race`]   | solvers go for one accuracy             | as above                        |
 //! | [`Comparison`] | pictures are to be compared         | the reference is noisy          |
 //! | [`Chart`]  | numbers span decades, both ways         | a value is 0: it has no decade  |
 //!
-//! **Not here:** where numbers are written to, and the clock: the command brings both. The
-//! errors of form factors: `benches/form_factors.rs`.
-//! Chapter *Solving it*, for the comparisons of (L13) and (L14), and *Side by side* (L22).
-//! Sources: Gortler, Cohen & Slusallek 1994, who compared relaxations by their work.
+//! **Not here:** where numbers are written to, and the clock: the command brings both as a
+//! [`Meter`].
+//! Chapters *Speed against accuracy*, *Solving it* (L13, L14) and *Side by side* (L22).
+//! Sources: Gortler, Cohen & Slusallek 1994, who compared relaxations by their work; the
+//! frontier is Pareto's (1906).
 
+mod contest;
 pub mod patches;
 pub mod race;
 mod side_by_side;
+pub mod suites;
 mod svg;
+mod trial;
+mod view;
 
+pub use contest::{Bench, Contest, Meter, Method, Run, Unmetered, Verdict};
 pub use race::Race;
 pub use side_by_side::{Comparison, Effort, Panel};
+pub use suites::{SUITES, Suite, suite};
 pub use svg::{Chart, Line, Mark};
+pub use trial::{COLUMNS, Trial, Work, csv, read};
+pub use view::{Column, View, exponent};

@@ -157,6 +157,8 @@ pub fn chart(trials: &[Trial]) -> Chart {
         across: "CPU seconds".into(),
         upward: "error".into(),
         least: 1e-5,
+        frontier: true,
         lines: lines.collect(),
+        ..Chart::default()
     }
 }

@@ -220,5 +220,6 @@ pub fn chart(
         upward: upward.into(),
         least: 0.0,
         lines,
+        ..Chart::default()
     }
 }

@@ -23,7 +23,7 @@ pub struct Line {
 }
 
 /// A chart with two logarithmic axes.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
     /// What it shows, in a sentence.
     pub title: String,
@@ -33,6 +33,10 @@ pub struct Chart {
     pub upward: String,
     /// Smaller `y` cannot be told apart: an error of nothing has no logarithm.
     pub least: f64,
+    /// Mark what nothing else beats in both: less across and less upward.
+    pub frontier: bool,
+    /// The truth is known to this: below it errors mean nothing. A dotted line.
+    pub truth: Option<f64>,
     /// In the order of their colours.
     pub lines: Vec<Line>,
 }
@@ -43,6 +47,17 @@ const PLOT: [f64; 4] = [480.0, 320.0, 70.0, 20.0];
 /// Mid-tones that stand out on white and on navy, and apart for the colour-blind.
 const COLOURS: [&str; 6] =
     ["#d55e00", "#3b8fd0", "#00a078", "#b765a0", "#a08a00", "#808080"];
+
+/// The shapes of marks, about the origin, for those who see no colours: disc, square, diamond,
+/// triangles, cross.
+const SHAPES: [&str; 6] = [
+    "M-4 0A4 4 0 1 0 4 0A4 4 0 1 0 -4 0Z",
+    "M-3.5 -3.5H3.5V3.5H-3.5Z",
+    "M0 -5L5 0L0 5L-5 0Z",
+    "M0 -5L4.5 3.5H-4.5Z",
+    "M0 5L4.5 -3.5H-4.5Z",
+    "M-4 -1.2H-1.2V-4H1.2V-1.2H4V1.2H1.2V4H-1.2V1.2H-4Z",
+];
 
 /// Keeps the grid out of a label: an outline in the page's background.
 const HALO: &str =
@@ -149,21 +164,50 @@ impl Sheet {
         self.text(14.0, top + height / 2.0, "middle", &turned, upward);
     }
 
-    fn line(&mut self, at: &[[f64; 2]], colour: &str) {
+    fn line(&mut self, at: &[[f64; 2]], style: &str) {
         let path: Vec<String> =
             at.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+        let path = path.join(" ");
+        let _ =
+            writeln!(self.svg, "<polyline points=\"{path}\" fill=\"none\"{style}/>");
+    }
+
+    /// A mark in the shape of its line; filled, or hollow if others beat it.
+    fn mark(&mut self, [x, y]: [f64; 2], of: usize, filled: bool) {
+        let colour = COLOURS[of % COLOURS.len()];
+        let fill = if filled { colour } else { "var(--bg, white)" };
+        let shape = SHAPES[of % SHAPES.len()];
         let _ = writeln!(
             self.svg,
-            "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" \
-             stroke-width=\"2\"/>",
-            path.join(" ")
+            "<path class=\"mark\" d=\"{shape}\" transform=\"translate({x:.1} {y:.1})\" \
+             fill=\"{fill}\" stroke=\"{colour}\" stroke-width=\"1.5\"/>"
         );
-        for [x, y] in at {
-            let _ = writeln!(
-                self.svg,
-                "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{colour}\"/>"
-            );
+    }
+
+    /// Steps along the marks that nothing beats.
+    fn frontier(&mut self, mut best: Vec<[f64; 2]>) {
+        best.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let mut steps = vec![];
+        for (k, &[x, y]) in best.iter().enumerate() {
+            if k > 0 {
+                steps.push([x, best[k - 1][1]]);
+            }
+            steps.push([x, y]);
         }
+        let style = " stroke=\"currentColor\" stroke-opacity=\"0.35\" stroke-width=\"6\" \
+                     stroke-linejoin=\"round\" class=\"frontier\"";
+        self.line(&steps, style);
+    }
+
+    /// Below this line the truth itself is not known.
+    fn truth(&mut self, y: f64) {
+        let (left, right) = (PLOT[2], PLOT[2] + PLOT[0]);
+        let _ = writeln!(
+            self.svg,
+            "<path d=\"M{left} {y:.1}L{right} {y:.1}\" stroke=\"currentColor\" \
+             stroke-width=\"2\" stroke-dasharray=\"2 5\"/>"
+        );
+        self.text(left + 6.0, y + 15.0, "start", HALO, "the truth is known to here");
     }
 
     /// A label beside a mark, before or after it; moved up to where there is room.
@@ -196,17 +240,32 @@ impl Chart {
                 self.description()
             ),
             across: Axis::of(marks().map(|mark| mark.x)),
-            upward: Axis::of(marks().map(|mark| mark.y.max(self.least))),
+            upward: Axis::of(
+                marks().map(|mark| mark.y.max(self.least)).chain(self.truth),
+            ),
             labels: vec![],
         };
         sheet.axes(&self.across, &self.upward);
+        let place =
+            |sheet: &Sheet, m: &Mark| [sheet.x(m.x), sheet.y(m.y.max(self.least))];
+        let best: Vec<&Mark> = marks().filter(|m| self.is_best(m)).collect();
+        if self.frontier {
+            sheet.frontier(best.iter().map(|m| place(&sheet, m)).collect());
+        }
+        if let Some(known) = self.truth {
+            sheet.truth(sheet.y(known));
+        }
         let mut labels = vec![]; // last, so that no line runs over them
-        for (line, colour) in self.lines.iter().zip(COLOURS.iter().cycle()) {
-            let place = |m: &Mark| [sheet.x(m.x), sheet.y(m.y.max(self.least))];
-            let mut drawn: Vec<_> = line.marks.iter().map(|m| (place(m), m)).collect();
+        for (k, line) in self.lines.iter().enumerate() {
+            let at = |m| (place(&sheet, m), m);
+            let mut drawn: Vec<_> = line.marks.iter().map(at).collect();
             drawn.retain(|(at, _)| at.iter().all(|x| x.is_finite()));
             let at: Vec<[f64; 2]> = drawn.iter().map(|(at, _)| *at).collect();
-            sheet.line(&at, colour);
+            let colour = COLOURS[k % COLOURS.len()];
+            sheet.line(&at, &format!(" stroke=\"{colour}\" stroke-width=\"2\""));
+            for &(at, mark) in &drawn {
+                sheet.mark(at, k, !self.frontier || self.is_best(mark));
+            }
             if let [(at, first), _, ..] = drawn[..] {
                 labels.push((at, false, first.label.clone()));
             }
@@ -222,6 +281,17 @@ impl Chart {
             sheet.label(*at, *after, text);
         }
         sheet.svg + "</svg>\n"
+    }
+
+    /// Does no other mark beat this one, in both?
+    fn is_best(&self, mark: &Mark) -> bool {
+        let y = |m: &Mark| m.y.max(self.least);
+        let beats = |m: &&Mark| {
+            m.x <= mark.x && y(m) <= y(mark) && (m.x < mark.x || y(m) < y(mark))
+        };
+        let has_place = |m: &Mark| m.x > 0.0 && y(m) > 0.0 && (m.x * m.y).is_finite();
+        let mut others = self.lines.iter().flat_map(|line| &line.marks);
+        has_place(mark) && !others.any(|m| has_place(m) && beats(&m))
     }
 
     fn description(&self) -> String {

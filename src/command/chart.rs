@@ -1,180 +1,207 @@
-//! `radiosity chart`: speed against accuracy, measured on this machine.
+//! `radiosity chart`: methods side by side, time and work beside error.
 
 use super::output::{Refusal, Terminal, write};
-use clap::{Args, ValueEnum};
+use crate::MEMORY;
+use clap::Args;
 use cpu_time::ThreadTime;
-use radiosity::chart::patches::{self, Patches, Trial};
-use radiosity::chart::race::{self, Finish, Race, contestants};
-use radiosity::scene::built_in;
+use radiosity::chart::{self, Bench, Meter, SUITES, Suite, Trial};
 use serde_json::{Value, json};
-use std::path::{Path, PathBuf};
+use std::cell::Cell;
+use std::path::PathBuf;
+use std::time::{SystemTime, UNIX_EPOCH};
 
-/// Measures speed against accuracy on this machine
+/// Runs methods against each other, and writes tables and charts
+///
+/// On one thread. Each trial tells processor time (the median of several runs), work that is
+/// the same on any machine, memory, and how far it is off from the best truth there is.
 #[derive(Args)]
 #[command(after_help = "Examples:
-  radiosity chart
-  radiosity chart solvers --json
-
-Writes tables (.csv) and pictures (.svg) into out/chart/. Times are processor seconds of
-one thread; work counts how often light is sent from one element to another, which is the
-same on any machine.")]
+  radiosity chart                          every suite, some ten minutes
+  radiosity chart form-factors scaling     two of them
+  radiosity chart solvers --png            pictures for slides, too
+  radiosity chart -o book/data             makes the charts of the book anew")]
 pub struct Chart {
-    /// What to measure
-    #[arg(value_enum, default_value_t = Suite::Solvers)]
-    suite: Suite,
+    /// What is compared [default: everything]
+    #[arg(value_name = "SUITE", value_parser = suite_names())]
+    suites: Vec<String>,
+    /// Where tables and charts go
+    #[arg(short, long, value_name = "DIR", default_value = "out/chart")]
+    output: PathBuf,
+    /// Write each chart as PNG, too
+    #[arg(long)]
+    png: bool,
 }
 
-/// What can be measured.
-#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
-enum Suite {
-    /// The race of the solvers, over reflectances 0.5 to 0.999
-    Solvers,
+fn suite_names() -> clap::builder::PossibleValuesParser {
+    let named = |s: &Suite| clap::builder::PossibleValue::new(s.name).help(s.about);
+    SUITES.iter().map(named).collect::<Vec<_>>().into()
 }
 
-/// The longest edge of an element in the race, m.
-const EDGE: f64 = 0.6;
+/// Time of this thread, memory of the command.
+struct Instruments {
+    time: ThreadTime,
+    /// Bytes that were held when the watch began.
+    held: Cell<usize>,
+}
 
-/// What the solvers are to reach.
-const ACCURACY: f64 = 1e-4;
-
-const REFLECTANCES: [f64; 4] = [0.5, 0.9, 0.99, 0.999];
-
-/// Where the files go.
-const FOLDER: &str = "out/chart";
+impl Meter for Instruments {
+    fn seconds(&self) -> f64 {
+        self.time.elapsed().as_secs_f64()
+    }
+    fn watch_memory(&self) {
+        MEMORY.reset_peak_usage();
+        self.held.set(MEMORY.current_usage());
+    }
+    fn peak(&self) -> u64 {
+        MEMORY.peak_usage().saturating_sub(self.held.get()) as u64
+    }
+}
 
 impl Chart {
     /// Runs the verb.
     pub fn run(&self, terminal: &Terminal) -> Result<(), Refusal> {
-        match self.suite {
-            Suite::Solvers => solvers(terminal),
+        let chosen = |s: &&Suite| {
+            self.suites.is_empty() || self.suites.iter().any(|name| name == s.name)
+        };
+        let suites: Vec<&Suite> = SUITES.iter().filter(chosen).collect();
+        std::fs::create_dir_all(&self.output).map_err(|error| {
+            let folder = self.output.display();
+            Refusal(format!(
+                "{folder} cannot be made ({error}); choose another with -o"
+            ))
+        })?;
+        // One thread: what is compared is work, and time is told of one thread.
+        let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+        let (mut text, mut objects) = (String::new(), vec![]);
+        for (k, suite) in suites.iter().enumerate() {
+            let trials = alone.install(|| {
+                let held = Cell::new(0);
+                let meter = Instruments { time: ThreadTime::now(), held };
+                let progress =
+                    |_: &str, _| terminal.progress(suite.name, k, suites.len());
+                (suite.measure)(&Bench { meter: &meter, progress: &progress })
+            });
+            let files = self.write(suite, &trials)?;
+            text += &format!("\n{}: {}\n", suite.name, suite.about);
+            text += &table(&trials);
+            files.iter().for_each(|file| text += &format!("{}\n", file.display()));
+            objects.push(json!({ "suite": suite.name, "files": files,
+                "trials": trials.iter().map(object).collect::<Vec<_>>() }));
         }
+        terminal.report(text.trim_start(), || json!({ "suites": objects }))
+    }
+
+    fn write(&self, suite: &Suite, trials: &[Trial]) -> Result<Vec<PathBuf>, Refusal> {
+        let mut files = vec![];
+        let mut add = |name: String, bytes: &[u8]| -> Result<(), Refusal> {
+            let path = self.output.join(name);
+            write(&path, bytes)?;
+            files.push(path);
+            Ok(())
+        };
+        let csv = chart::csv(&origin(suite), trials);
+        add(format!("{}.csv", suite.name), csv.as_bytes())?;
+        // Drawn from the table and not from the trials: its numbers are rounded, and who
+        // draws the charts from it must find the same.
+        let trials = chart::read(&csv).map_err(Refusal)?;
+        for view in suite.views {
+            let svg = view.chart(&trials).svg();
+            add(format!("{}.svg", view.file), svg.as_bytes())?;
+            if self.png {
+                add(format!("{}.png", view.file), &png(&svg)?)?;
+            }
+        }
+        Ok(files)
     }
 }
 
-fn solvers(terminal: &Terminal) -> Result<(), Refusal> {
-    // One thread: what is compared is work, and processor time is told of one thread.
-    let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
-    let (race, finishes) = alone.install(|| run_race(terminal));
-    let origin = format!(
-        "The race of the solvers, by `radiosity chart solvers`, version {}.\n\
-         The L-shaped room, closed, in {} elements, all of one reflectance; reciprocal,\n\
-         closed form factors, which are not part of the time.\n\
-         Until the error is at most {ACCURACY:e} of the reflected light.",
+/// Command, date, version and machine.
+fn origin(suite: &Suite) -> String {
+    let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
+    format!(
+        "{}: {}.\nBy `radiosity chart {}`, version {}, on {}; {}, {}, {cores} cores.\n\
+         Processor seconds of one thread, the median of `runs`; bytes.",
+        suite.name,
+        suite.about,
+        suite.name,
         env!("CARGO_PKG_VERSION"),
-        race.elements(),
-    );
-    let files = [
-        ("solvers.csv", race::csv(&origin, &finishes)),
-        ("solvers-time.svg", time_chart(&finishes)),
-        ("solvers-work.svg", work_chart(&finishes)),
-    ];
-    let (trials, patches, about) = alone.install(|| run_patches(terminal))?;
-    let mut files = files.to_vec();
-    files.push(("patches.csv", patches::csv(&about, &trials)));
-    files.push(("patches.svg", patches::chart(&trials).svg()));
-    let files = write_all(&files)?;
-    let mut text = origin + "\n";
-    for (what, number) in TABLES {
-        let columns = REFLECTANCES.map(|rho| format!("{:>12}", format!("ρ = {rho}")));
-        text += &format!("\n{what:<22}{}\n", columns.concat());
-        text += &race::table(&finishes, number);
-    }
-    text += &format!("\n{about}\n\n{}\n", patches::table(&trials));
-    files.iter().for_each(|file| text += &format!("{}\n", file.display()));
-    terminal.report(&text, || {
-        let finishes: Vec<Value> = finishes.iter().map(object).collect();
-        json!({ "elements": race.elements(), "accuracy": ACCURACY,
-                "solvers": finishes, "patches": patches,
-                "trials": trials.iter().map(trial).collect::<Vec<_>>(), "files": files })
-    })
+        today(),
+        std::env::consts::ARCH,
+        std::env::consts::OS,
+    )
 }
 
-/// Patches of the Cornell box: eight along each wall, m.
-const PATCH: f64 = 0.07;
-
-/// Errors of the field that smooth light is asked for.
-const TOLERANCES: [f64; 6] = [0.1, 0.05, 0.03, 0.02, 0.014, 0.01];
-
-/// Walks from each patch.
-const WALKS: [usize; 5] = [16, 64, 256, 1024, 4096];
-
-fn run_patches(terminal: &Terminal) -> Result<(Vec<Trial>, usize, String), Refusal> {
-    let scene = built_in("cornell")?;
-    terminal.progress("finding the truth", 0, 1);
-    let patches = Patches::new(&scene, PATCH);
-    let start = ThreadTime::now();
-    let clock = || start.elapsed().as_secs_f64();
-    let all = TOLERANCES.len() + WALKS.len();
-    let mut trials = Vec::new();
-    for tolerance in TOLERANCES {
-        terminal.progress("comparing", trials.len(), all);
-        trials.push(patches.by_smooth(tolerance, &clock));
-    }
-    for walks in WALKS {
-        terminal.progress("comparing", trials.len(), all);
-        trials.push(patches.by_walks(walks, &clock));
-    }
-    let about = format!(
-        "The mean irradiance of {} patches of the Cornell box, 8 x 8 a wall: smooth light\n\
-         from coarse to fine (settings are its patches), and random walks (settings are\n\
-         walks a patch; their error is what their spread tells).",
-        patches.len()
-    );
-    Ok((trials, patches.len(), about))
+/// The date, UTC, as YYYY-MM-DD: of the record, not of any result.
+fn today() -> String {
+    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    // Years of March to February, so that the day that leap years add is their last.
+    let day = (since.as_secs() / 86_400) as i64 + 719_468;
+    let era = day / 146_097;
+    let of_era = day % 146_097;
+    let year = (of_era - of_era / 1_460 + of_era / 36_524 - of_era / 146_096) / 365;
+    let of_year = of_era - (365 * year + year / 4 - year / 100);
+    let month = (5 * of_year + 2) / 153;
+    let date = of_year - (153 * month + 2) / 5 + 1;
+    let month = if month < 10 { month + 3 } else { month - 9 };
+    let year = 400 * era + year + i64::from(month <= 2);
+    format!("{year:04}-{month:02}-{date:02}")
 }
 
-fn trial(t: &Trial) -> Value {
-    json!({ "method": t.method, "setting": t.setting, "error": t.error,
-            "seconds": t.seconds })
+/// The chart in pixels, twice as many as it has units; black on white.
+fn png(svg: &str) -> Result<Vec<u8>, Refusal> {
+    use resvg::{tiny_skia::Pixmap, tiny_skia::Transform, usvg};
+    const SCALE: f32 = 2.0;
+    // A page knows its colours, a picture does not.
+    let svg = svg.replace("var(--bg, white)", "white");
+    let mut options =
+        usvg::Options { font_family: "DejaVu Sans".into(), ..Default::default() };
+    options.fontdb_mut().load_system_fonts();
+    let tree = usvg::Tree::from_str(&svg, &options)?;
+    let size = tree.size();
+    let [width, height] =
+        [size.width(), size.height()].map(|v| (SCALE * v).ceil() as u32);
+    let mut pixels = Pixmap::new(width, height).ok_or_else(|| {
+        Refusal("a chart is too large for a PNG; leave out --png".into())
+    })?;
+    pixels.fill(resvg::tiny_skia::Color::WHITE);
+    resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
+    Ok(pixels.encode_png()?)
 }
 
-/// A title, and a number of a run.
-type Table = (&'static str, fn(&Finish) -> String);
-
-const TABLES: [Table; 3] = [
-    ("sweeps or shots", |f| f.steps.to_string()),
-    ("transfers, millions", |f| format!("{:.2}", f.transfers as f64 / 1e6)),
-    ("CPU milliseconds", |f| format!("{:.2}", 1e3 * f.seconds)),
-];
-
-fn run_race(terminal: &Terminal) -> (Race, Vec<Finish>) {
-    let race = Race::new(EDGE, ACCURACY);
-    let (mut finishes, runs) = (vec![], contestants().len() * REFLECTANCES.len());
-    for contestant in contestants() {
-        for rho in REFLECTANCES {
-            terminal.progress("racing", finishes.len(), runs);
-            let start = ThreadTime::now();
-            let clock = || start.elapsed().as_secs_f64();
-            finishes.push(race.run(&contestant, rho, &clock));
+/// The trials for people.
+fn table(trials: &[Trial]) -> String {
+    let mut text = String::new();
+    for of_scene in trials.chunk_by(|a, b| a.scene == b.scene) {
+        let columns =
+            ["setting", "CPU s", "error", "energy"].map(|c| format!("{c:>12}"));
+        text += &format!("{:<36}{}\n", of_scene[0].scene, columns.concat());
+        for t in of_scene {
+            let energy = t.energy.map_or(String::new(), |e| format!("{e:.1e}"));
+            text += &format!(
+                "  {:<34}{:>12}{:>12.3e}{:>12.2e}{energy:>12}\n",
+                t.method, t.setting, t.seconds, t.error
+            );
         }
     }
-    (race, finishes)
+    text
 }
 
-fn time_chart(finishes: &[Finish]) -> String {
-    let title = "Processor time of each solver against the number of bounces";
-    race::chart(title, "CPU seconds", finishes, |f| f.seconds).svg()
+fn object(t: &Trial) -> Value {
+    json!({ "scene": t.scene, "method": t.method, "setting": t.setting,
+        "seconds": t.seconds, "runs": t.runs, "factors": t.work.factors,
+        "rays": t.work.rays, "pixels": t.work.pixels, "steps": t.work.steps,
+        "bytes": t.work.bytes, "memory": t.memory, "error": t.error,
+        "uncertainty": t.uncertainty, "energy": t.energy })
 }
 
-fn work_chart(finishes: &[Finish]) -> String {
-    let title = "Transfers between elements against the number of bounces";
-    race::chart(title, "transfers", finishes, |f| f.transfers as f64).svg()
-}
+#[cfg(test)]
+mod tests {
+    use super::today;
 
-fn object(f: &Finish) -> Value {
-    json!({ "solver": f.solver, "reflectance": f.reflectance, "steps": f.steps,
-            "transfers": f.transfers, "seconds": f.seconds, "bound": f.bound,
-            "converged": f.converged })
-}
-
-fn write_all(files: &[(&str, String)]) -> Result<Vec<PathBuf>, Refusal> {
-    std::fs::create_dir_all(FOLDER).map_err(|error| {
-        Refusal(format!("{FOLDER} cannot be made ({error}); work in another folder"))
-    })?;
-    let write_one = |(name, text): &(&str, String)| {
-        let path = Path::new(FOLDER).join(name);
-        write(&path, text.as_bytes())?;
-        Ok(path)
-    };
-    files.iter().map(write_one).collect()
+    #[test]
+    fn a_date_has_its_signs() {
+        let [year, month, day] = [0..4, 5..7, 8..10].map(|r| today()[r].parse::<u32>());
+        assert!(year.unwrap() >= 2025 && (1..13).contains(&month.unwrap()));
+        assert!((1..32).contains(&day.unwrap()));
+    }
 }

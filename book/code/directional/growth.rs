@@ -141,6 +141,7 @@ pub fn svg() -> String {
         upward: "bytes".into(),
         least: 1.0,
         lines: runs.chunk_by(|a, b| a.patches == b.patches).map(line).collect(),
+        ..Chart::default()
     }
     .svg()
 }
@@ -172,6 +173,7 @@ pub fn cost_svg() -> String {
         upward: "relative error".into(),
         least: 1e-3,
         lines,
+        ..Chart::default()
     }
     .svg()
 }

@@ -115,6 +115,7 @@ pub fn svg() -> String {
         upward: "relative error".into(),
         least: LEAST,
         lines: contestants().iter().map(|c| line(c.name)).collect(),
+        ..Chart::default()
     }
     .svg()
 }

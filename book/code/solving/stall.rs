@@ -61,6 +61,7 @@ pub fn svg() -> String {
         upward: "relative residual".into(),
         least: LEAST,
         lines: residuals().map(line).into(),
+        ..Chart::default()
     }
     .svg()
 }

@@ -1,0 +1,27 @@
+//! The suites: what is compared with what. A new method or scene is one entry in one of
+//! them.
+
+pub mod form_factors;
+
+use super::{Bench, Trial, View};
+
+/// Contests that belong together, and the charts that are drawn of them.
+pub struct Suite {
+    /// Its name, that of its table and of its charts.
+    pub name: &'static str,
+    /// What it compares.
+    pub about: &'static str,
+    /// Runs it.
+    pub measure: fn(&Bench) -> Vec<Trial>,
+    /// Its charts.
+    pub views: &'static [View],
+}
+
+/// All suites, in the order of the book.
+pub const SUITES: [Suite; 1] = [form_factors::SUITE];
+
+/// The suite of this name.
+pub fn suite(name: &str) -> Option<&'static Suite> {
+    const ALL: &[Suite] = &SUITES;
+    ALL.iter().find(|suite| suite.name == name)
+}

@@ -1,13 +1,10 @@
-//! Pinned failures of meshing and display, row by row of the table of failures.
+//! Pinned failures of meshing, row by row of the table of failures.
 //! (Rows 36 to 38, 40, 41 and 43: `stability_display.rs`; row 39 also: `mesh_split.rs`.)
 
 mod common;
 
-use common::rooms::{
-    box_walls, exact_factors, face_means, gathered, rectangle, rows, scene,
-};
+use common::rooms::{box_walls, face_means, rectangle, rows, scene};
 use glam::{DVec3, dvec3};
-use radiosity::film::{Shot, byte, linear_from_srgb};
 use radiosity::form_factor::FormFactors;
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::hemicube::Hemicube;
@@ -15,7 +12,6 @@ use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solve::{Brightest, Enclosure, Shoot};
-use std::f64::consts::PI;
 
 /// Two rooms of a metre each on one floor, with a wall between them that reaches from
 /// floor to ceiling; the lamp is in the left one.
@@ -113,39 +109,4 @@ fn row_42_no_mean_over_a_corner() {
     }
     // One material all over, and yet no vertex is shared between walls: 6 × 5 × 5.
     assert_eq!(mesh.vertices.len(), 150);
-}
-
-/// Row 77: radiosity is no radiance: what a picture of the furnace shows is `B/π`.
-#[test]
-fn row_77_a_picture_shows_radiance() {
-    let scene = built_in("furnace:0.5").unwrap();
-    let mesh = Mesh::uniform(&scene, 0.5);
-    let enclosure = Enclosure::of(&scene, &mesh);
-    let radiosity = gathered(&enclosure, &exact_factors(&mesh), 1e-10, 1000);
-    let shot = Shot { camera: scene.camera, width: 16, height: 16, samples: 1 };
-    for pixel in shot.flat(&mesh, &radiosity).pixels {
-        assert!((pixel * PI - Rgb::splat(2.0)).abs().max_element() < 1e-8, "{pixel}");
-    }
-}
-
-/// Row 78: between black and white lies half the light, code 188; the mean of the codes
-/// is a fifth of it. So values are interpolated before they are coded.
-#[test]
-fn row_78_codes_are_not_light() {
-    assert_eq!(byte(0.5), 188);
-    assert!((linear_from_srgb(0.5) - 0.214).abs() < 1e-4);
-}
-
-/// Row 79: white hides how bright: of a furnace seen at three exposures the pictures
-/// are equal, and the share that is clamped says why.
-#[test]
-fn row_79_white_hides_how_bright() {
-    let scene = built_in("furnace:0.5").unwrap();
-    let mesh = Mesh::whole(&scene);
-    let shot = Shot { camera: scene.camera, width: 8, height: 8, samples: 1 };
-    let picture = shot.flat(&mesh, &[Rgb::splat(2.0); 6]);
-    let exposures = [0.9 * PI / 2.0, 1.1 * PI / 2.0, 11.0 * PI / 2.0];
-    let [dim, bright, glaring] = exposures.map(|e| picture.display(e));
-    assert!(bright == glaring && dim != bright);
-    assert_eq!(exposures.map(|e| picture.clamped_share(e)), [0.0, 1.0, 1.0]);
 }

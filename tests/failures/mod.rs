@@ -1,6 +1,7 @@
-//! The failures of all methods, as curves: one knob, one quantity, and where theory says it
-//! lies. The tests `stability_*` assert them, the book's page *Where methods fail* draws
-//! them; both call the same functions, so that what is shown is what is tested.
+//! The failures of all methods, as curves: one knob, one quantity, and where theory
+//! says it lies. The tests `stability_*` assert them, the book's page *Where methods
+//! fail* draws them; both call the same functions, so that what is shown is what is
+//! tested.
 //!
 //! The wrong methods live here and not in the crate: the crate has what works. A test that
 //! has these modules takes its [`rooms`] and
@@ -23,6 +24,18 @@ pub mod rooms;
 pub mod shapes;
 pub mod solver;
 pub mod visibility;
+
+/// Small scenes, shared with the tests. (A test that has these modules of its own has
+/// them twice; they are small.)
+#[allow(clippy::duplicate_mod)]
+#[path = "../common/mirrored.rs"]
+pub mod mirrored;
+#[allow(clippy::duplicate_mod)]
+#[path = "../common/paths.rs"]
+pub mod paths;
+#[allow(clippy::duplicate_mod)]
+#[path = "../common/rooms.rs"]
+pub mod rooms;
 
 /// A row of the table of failures.
 #[derive(Clone, Copy)]
@@ -65,8 +78,8 @@ pub struct Sweep {
     pub logarithmic: [bool; 2],
     /// What was found: knob and quantity, a line for each method, at most four.
     pub found: Vec<Found>,
-    /// Where theory says it lies: a closed form, a law, an exact value; may be the level that
-    /// must not be passed.
+    /// Where theory says it lies: a closed form, a law, an exact value; may be the
+    /// level that must not be passed.
     pub theory: Vec<[f64; 2]>,
     /// What the theory is: "|F − F*|, Lambert's exact".
     pub law: &'static str,

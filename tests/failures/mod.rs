@@ -4,8 +4,8 @@
 //! tested.
 //!
 //! The wrong methods live here and not in the crate: the crate has what works. A test that
-//! has these modules takes its [`rooms`] and
-//! [`shapes`] from here, too.
+//! has these modules takes its [`rooms`], [`shapes`], [`paths`] and [`mirrored`] from
+//! here, too.
 #![allow(dead_code)] // each test uses its part
 
 pub mod display;
@@ -13,8 +13,14 @@ pub mod factors;
 pub mod hemicube;
 pub mod matrices;
 pub mod meshing;
+#[allow(clippy::duplicate_mod)]
+#[path = "../common/mirrored.rs"]
+pub mod mirrored;
 pub mod pairs;
 pub mod passes;
+#[allow(clippy::duplicate_mod)]
+#[path = "../common/paths.rs"]
+pub mod paths;
 pub mod raster;
 #[allow(clippy::duplicate_mod)]
 #[path = "../common/rooms.rs"]
@@ -24,18 +30,6 @@ pub mod rooms;
 pub mod shapes;
 pub mod solver;
 pub mod visibility;
-
-/// Small scenes, shared with the tests. (A test that has these modules of its own has
-/// them twice; they are small.)
-#[allow(clippy::duplicate_mod)]
-#[path = "../common/mirrored.rs"]
-pub mod mirrored;
-#[allow(clippy::duplicate_mod)]
-#[path = "../common/paths.rs"]
-pub mod paths;
-#[allow(clippy::duplicate_mod)]
-#[path = "../common/rooms.rs"]
-pub mod rooms;
 
 /// A row of the table of failures.
 #[derive(Clone, Copy)]

@@ -9,6 +9,7 @@
 #![allow(dead_code)] // each test uses its part
 
 pub mod display;
+pub mod exact;
 pub mod factors;
 pub mod hemicube;
 pub mod matrices;
@@ -16,6 +17,7 @@ pub mod meshing;
 #[allow(clippy::duplicate_mod)]
 #[path = "../common/mirrored.rs"]
 pub mod mirrored;
+pub mod outlines;
 pub mod pairs;
 pub mod passes;
 #[allow(clippy::duplicate_mod)]
@@ -132,6 +134,7 @@ pub fn rows() -> Vec<Row> {
     let families = [
         factors::ROWS,
         pairs::ROWS,
+        outlines::ROWS,
         matrices::ROWS,
         hemicube::ROWS,
         raster::ROWS,

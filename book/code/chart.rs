@@ -1,6 +1,6 @@
 //! Charts of measurements that are kept with their date: error over time.
 
-use radiosity::chart::{Chart, Line, Mark, Trial};
+use radiosity::chart::{Chart, Line, Mark, SUITES, Suite, Trial, View};
 
 /// One measurement: a row of the CSV.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +49,20 @@ pub fn svg(title: &str, points: &[Point], across: &str, upward: &str) -> String 
     let lines = methods.into_iter().map(line).collect();
     let [title, across, upward] = [title, across, upward].map(String::from);
     Chart { title, across, upward, least: EXACT, lines, ..Chart::default() }.svg()
+}
+
+/// Path and text of the charts of all suites, from the tables in `book/data`.
+pub fn files() -> Vec<(String, String)> {
+    let of_suite = |suite: &Suite| {
+        let path = crate::generated::root().join(format!("data/{}.csv", suite.name));
+        let csv = std::fs::read_to_string(&path);
+        let trials = trials(&csv.unwrap_or_else(|e| panic!("{}: {e}", path.display())));
+        let chart = |view: &View| {
+            (format!("../data/{}.svg", view.file), view.chart(&trials).svg())
+        };
+        suite.views.iter().map(chart).collect::<Vec<_>>()
+    };
+    SUITES.iter().flat_map(of_suite).collect()
 }
 
 /// The trials of a suite, from the table that `radiosity chart SUITE -o book/data` wrote.

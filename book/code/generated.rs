@@ -19,7 +19,6 @@ pub fn files() -> Vec<(PathBuf, String)> {
         ("generated/hemicube-section.svg".into(), section::svg()),
         ("generated/hemicube-view.md".into(), view::caption(64)),
         ("generated/hemicube-cost.md".into(), cost::text()),
-        ("generated/hemicube-cost.svg".into(), cost::svg()),
         ("generated/hemicube-ledger.md".into(), ledger::markdown()),
         ("generated/hemicube-table.md".into(), table::markdown()),
     ];
@@ -49,6 +48,8 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(crate::second_pass::files());
     files.extend(crate::directional::files());
     files.extend(crate::display::files());
+    files.extend(crate::versus::files());
+    files.extend(crate::chart::files());
     let src = root().join("src");
     files.into_iter().map(|(name, text)| (src.join(name), text)).collect()
 }

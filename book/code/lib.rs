@@ -26,6 +26,7 @@
 //! | [`plan`]        | figures and numbers of *What does this scene need?*          |
 //! | [`mirrors`]     | figures and numbers of *Mirrors and windows*                 |
 //! | [`side_by_side`] | figures and numbers of *Side by side*                       |
+//! | [`versus`]      | figures and numbers of *Speed against accuracy*              |
 //! | [`timing`]      | time and error of a call, for the charts                     |
 //! | [`hemicube`]    | figures and numbers of the chapter                           |
 //! | [`patches`]     | figures and numbers of the chapter on substructuring         |
@@ -64,6 +65,7 @@ pub mod source;
 pub mod surface;
 pub mod timing;
 pub mod transport;
+pub mod versus;
 
 /// Every page of the book, so that `cargo test` runs its examples.
 #[cfg(doctest)]
@@ -75,6 +77,7 @@ mod pages {
     }
     pages! {
         index: "index.md",
+        speed_against_accuracy: "speed-against-accuracy.md",
         assumptions: "assumptions.md",
         solid_angle: "solid-angle.md",
         radiometry: "radiometry.md",

@@ -59,6 +59,10 @@ impl<A, F: Fn(f64, u64) -> (A, Work)> Run<A> for F {}
 impl<'a, A> Method<'a, A> {
     /// Gives the same answer each time; its seed is 0.
     pub fn new(name: &str, settings: &[f64], run: impl Run<A> + 'a) -> Method<'a, A> {
+        debug_assert!(
+            !name.contains(','),
+            "{name}: a comma would split the table's cell"
+        );
         let run = Box::new(run);
         Method { name: name.into(), settings: settings.into(), random: false, run }
     }

@@ -1,6 +1,6 @@
 //! The race of the solvers: one room, one accuracy, all ways to get there.
 
-use super::{Chart, Line, Mark};
+use super::Work;
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::{FormFactors, Lost, Matrix, Row, close};
 use crate::geometry::Rgb;
@@ -10,7 +10,6 @@ use crate::solve::{
     Brightest, ConjugateGradients, Enclosure, GaussSeidel, Jacobi, Overshoot, Shoot,
     Solver, contraction, error_bound,
 };
-use std::fmt::Write;
 
 /// A solver by name.
 pub struct Contestant {
@@ -48,19 +47,11 @@ pub fn contestants() -> [Contestant; 6] {
 }
 
 /// How a solver came in.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finish {
-    /// The solver.
-    pub solver: &'static str,
-    /// The reflectance of the room.
-    pub reflectance: f64,
-    /// Sweeps, or shots.
-    pub steps: usize,
-    /// Factors used: light sent from one element to one other.
-    pub transfers: u64,
-    /// Processor time of one thread, s.
-    pub seconds: f64,
-    /// The error is at most this.
+    /// Steps are sweeps or shots; factors are transfers, from one element to one other.
+    pub work: Work,
+    /// The error is at most this, relative to the reflected light.
     pub bound: f64,
     /// Is that the accuracy asked for?
     pub converged: bool,
@@ -78,12 +69,6 @@ pub struct Race {
 
 /// Who has used so many factors is out of the race.
 const MOST_TRANSFERS: u64 = 5_000_000_000;
-
-/// A time is the least of so many, unless one takes longer than [`LONG`].
-const ROUNDS: usize = 5;
-
-/// What takes longer than this, in s, is measured once.
-const LONG: f64 = 0.5;
 
 impl Race {
     /// With elements whose edges are no longer than `edge`, m.
@@ -107,119 +92,29 @@ impl Race {
         self.enclosure.len()
     }
 
-    /// Runs one solver in a room of this reflectance; `clock` tells the processor time of
-    /// the calling thread, in s. Sums over threads are not the race: run it on one.
-    pub fn run(
-        &self,
-        contestant: &Contestant,
-        reflectance: f64,
-        clock: &dyn Fn() -> f64,
-    ) -> Finish {
+    /// Runs one solver in a room of this reflectance.
+    pub fn run(&self, contestant: &Contestant, reflectance: f64) -> Finish {
         let mut enclosure = self.enclosure.clone();
         enclosure.reflectance.fill(Rgb::splat(reflectance));
-        let mut best = self.once(&enclosure, contestant, clock);
-        for _ in 1..ROUNDS {
-            if best.seconds > LONG {
-                break;
-            }
-            let again = self.once(&enclosure, contestant, clock);
-            best.seconds = best.seconds.min(again.seconds);
-        }
-        best
-    }
-
-    fn once(
-        &self,
-        enclosure: &Enclosure,
-        contestant: &Contestant,
-        clock: &dyn Fn() -> f64,
-    ) -> Finish {
         let rows = self.factors.rows();
         let length = |k: usize| rows[k].factors().len() as u64;
-        let all = (0..rows.len()).map(length).sum();
-        let contraction = contraction(enclosure, &self.factors);
+        let all: u64 = (0..rows.len()).map(length).sum();
+        let contraction = contraction(&enclosure, &self.factors);
+        let bytes = all * size_of::<(u32, f64)>() as u64;
         let mut finish = Finish {
-            solver: contestant.name,
-            reflectance: enclosure.largest_reflectance().x,
-            steps: 0,
-            transfers: 0,
-            seconds: 0.0,
+            work: Work { bytes, ..Work::default() },
             bound: f64::INFINITY,
             converged: false,
         };
-        let start = clock();
-        let mut solver = (contestant.start)(enclosure, &self.factors);
-        while !finish.converged && finish.transfers < MOST_TRANSFERS {
+        let mut solver = (contestant.start)(&enclosure, &self.factors);
+        while !finish.converged && finish.work.factors < MOST_TRANSFERS {
             let Some(step) = solver.next() else { break };
-            finish.steps += 1;
-            finish.transfers += step.shot.map_or(all, |from| length(from.0 as usize));
+            finish.work.steps += 1;
+            finish.work.factors +=
+                step.shot.map_or(all, |from| length(from.0 as usize));
             finish.bound = error_bound(step.residual, contraction);
             finish.converged = finish.bound <= self.accuracy;
         }
-        finish.seconds = clock() - start;
         finish
-    }
-}
-
-/// All runs as a table for programs, after the `#` lines of `origin`.
-pub fn csv(origin: &str, finishes: &[Finish]) -> String {
-    let mut csv: String = origin.lines().map(|line| format!("# {line}\n")).collect();
-    csv += "solver,reflectance,steps,transfers,cpu_seconds,bound,converged\n";
-    for f in finishes {
-        // Writing to a string cannot fail.
-        let _ = writeln!(
-            csv,
-            "{},{},{},{},{:.3e},{:.3e},{}",
-            f.solver,
-            f.reflectance,
-            f.steps,
-            f.transfers,
-            f.seconds,
-            f.bound,
-            f.converged
-        );
-    }
-    csv
-}
-
-/// A number of each run, as a table for people: a line for each solver, a column for each
-/// reflectance.
-pub fn table(finishes: &[Finish], number: impl Fn(&Finish) -> String) -> String {
-    let mut table = String::new();
-    let mut named = "";
-    for f in finishes {
-        if f.solver != named {
-            named = f.solver;
-            table += &format!("\n{named:<22}");
-        }
-        let shown = if f.converged { number(f) } else { "-".into() };
-        table += &format!("{shown:>12}");
-    }
-    table.trim_start().to_string() + "\n"
-}
-
-/// A number of each run over `1/(1 − ρ)`, the number of bounces that light makes.
-pub fn chart(
-    title: &str,
-    upward: &str,
-    finishes: &[Finish],
-    number: impl Fn(&Finish) -> f64,
-) -> Chart {
-    let mut lines: Vec<Line> = vec![];
-    for f in finishes.iter().filter(|f| f.converged) {
-        let x = 1.0 / (1.0 - f.reflectance);
-        let mark = Mark { x, y: number(f), label: String::new() };
-        match lines.last_mut().filter(|line| line.name == f.solver) {
-            Some(line) => line.marks.push(mark),
-            None => lines.push(Line { name: f.solver.into(), marks: vec![mark] }),
-        }
-    }
-    Chart {
-        title: title.into(),
-        across: "1/(1 − ρ): how often light bounces".into(),
-        upward: upward.into(),
-        least: 0.0,
-        lines,
-        ..Chart::default()
     }
 }

@@ -113,8 +113,8 @@ struct Sheet {
     svg: String,
     across: Axis,
     upward: Axis,
-    /// Start, height and width of the labels so far.
-    labels: Vec<[f64; 3]>,
+    /// Start, height and width of what no label may cover: marks, and labels so far.
+    taken: Vec<[f64; 3]>,
 }
 
 impl Sheet {
@@ -175,6 +175,7 @@ impl Sheet {
     /// A mark in the shape of its line; filled, or hollow if others beat it.
     fn mark(&mut self, [x, y]: [f64; 2], of: usize, filled: bool) {
         let colour = COLOURS[of % COLOURS.len()];
+        self.taken.push([x - 5.0, y, 10.0]);
         let fill = if filled { colour } else { "var(--bg, white)" };
         let shape = SHAPES[of % SHAPES.len()];
         let _ = writeln!(
@@ -207,22 +208,27 @@ impl Sheet {
             "<path d=\"M{left} {y:.1}L{right} {y:.1}\" stroke=\"currentColor\" \
              stroke-width=\"2\" stroke-dasharray=\"2 5\"/>"
         );
-        self.text(left + 6.0, y + 15.0, "start", HALO, "the truth is known to here");
+        let said = "the truth is known to here";
+        self.text(left + 6.0, y - 5.0, "start", HALO, said);
+        self.taken.push([left + 6.0, y - 9.0, 175.0]);
     }
 
-    /// A label beside a mark, before or after it; moved up to where there is room.
-    fn label(&mut self, [x, mut y]: [f64; 2], after: bool, text: &str) {
+    /// A label beside a mark, before or after it, in the colour of its line; moved up or
+    /// down to the nearest place where there is room.
+    fn label(&mut self, [x, y]: [f64; 2], after: bool, of: usize, text: &str) {
         let width = 7.0 * text.chars().count() as f64;
         let start = if after { x + 8.0 } else { x - 8.0 - width };
         let hits = |&[at, height, wide]: &[f64; 3], y: f64| {
             (height - y).abs() < 12.0 && start < at + wide && at < start + width
         };
-        while self.labels.iter().any(|label| hits(label, y)) {
-            y -= 4.0;
-        }
-        self.labels.push([start, y, width]);
+        let free = |y: &f64| !self.taken.iter().any(|taken| hits(taken, *y));
+        let nearest =
+            (0..40).flat_map(|k| [y - 4.0 * f64::from(k), y + 4.0 * f64::from(k)]);
+        let y = nearest.filter(|y| *y < PLOT[3] + PLOT[1]).find(free).unwrap_or(y);
+        self.taken.push([start, y, width]);
         let (x, anchor) = if after { (start, "start") } else { (x - 8.0, "end") };
-        self.text(x, y + 4.0, anchor, HALO, text);
+        let colour = COLOURS[of % COLOURS.len()];
+        self.text(x, y + 4.0, anchor, &format!("{HALO} fill=\"{colour}\""), text);
     }
 }
 
@@ -243,7 +249,7 @@ impl Chart {
             upward: Axis::of(
                 marks().map(|mark| mark.y.max(self.least)).chain(self.truth),
             ),
-            labels: vec![],
+            taken: vec![],
         };
         sheet.axes(&self.across, &self.upward);
         let place =
@@ -267,18 +273,18 @@ impl Chart {
                 sheet.mark(at, k, !self.frontier || self.is_best(mark));
             }
             if let [(at, first), _, ..] = drawn[..] {
-                labels.push((at, false, first.label.clone()));
+                labels.push((at, false, k, first.label.clone()));
             }
             if let Some((at, last)) = drawn.last() {
                 let both = [line.name.as_str(), last.label.as_str()];
                 let said = both.into_iter().filter(|s| !s.is_empty());
-                labels.push((*at, true, said.collect::<Vec<_>>().join(", ")));
+                labels.push((*at, true, k, said.collect::<Vec<_>>().join(", ")));
             }
         }
         // From the lowest up, as they make room upward: their order is that of the lines.
         labels.sort_by(|a, b| b.0[1].total_cmp(&a.0[1]));
-        for (at, after, text) in labels.iter().filter(|label| !label.2.is_empty()) {
-            sheet.label(*at, *after, text);
+        for (at, after, k, text) in labels.iter().filter(|label| !label.3.is_empty()) {
+            sheet.label(*at, *after, *k, text);
         }
         sheet.svg + "</svg>\n"
     }

@@ -65,7 +65,7 @@ pub fn csv(origin: &str, trials: &[Trial]) -> String {
             t.suite,
             t.scene,
             t.method,
-            t.setting,
+            number(t.setting),
             t.seconds,
             t.runs,
             t.memory,
@@ -74,6 +74,11 @@ pub fn csv(origin: &str, trials: &[Trial]) -> String {
         );
     }
     csv
+}
+
+/// A setting in few signs: `64`, `0.01`, `1e-10`.
+pub fn number(v: f64) -> String {
+    if v.fract() == 0.0 { format!("{v}") } else { format!("{v:?}") }
 }
 
 /// Reads what [`csv`] wrote; what is empty counts as 0, or as no energy.

@@ -1,5 +1,6 @@
 //! A view: which trials of a suite become the lines of one chart, and over what.
 
+use super::trial::number;
 use super::{Chart, Line, Mark, Trial};
 
 /// A column of the table that can be an axis.
@@ -95,16 +96,10 @@ impl View {
     fn mark(&self, trial: &Trial) -> Mark {
         let label = match self.across.0 {
             Column::Setting => String::new(),
-            _ => short(trial.setting),
+            _ => number(trial.setting),
         };
         Mark { x: self.across.0.of(trial), y: self.upward.0.of(trial), label }
     }
-}
-
-/// A setting in a few signs.
-fn short(v: f64) -> String {
-    let exact = format!("{v}");
-    if exact.len() < 7 { exact } else { format!("{v:.0e}") }
 }
 
 /// The exponent of `upward` over `across`, fitted to the trials by least squares of their

@@ -179,7 +179,10 @@ fn table(trials: &[Trial]) -> String {
             let energy = t.energy.map_or(String::new(), |e| format!("{e:.1e}"));
             text += &format!(
                 "  {:<34}{:>12}{:>12.3e}{:>12.2e}{energy:>12}\n",
-                t.method, t.setting, t.seconds, t.error
+                t.method,
+                chart::number(t.setting),
+                t.seconds,
+                t.error
             );
         }
     }

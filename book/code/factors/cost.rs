@@ -1,23 +1,8 @@
-//! The chart of the chapter, from measurements that are kept with their date.
+//! What the charts of the chapter say.
 
-use crate::chart::{self, Point};
-
-/// What `cargo run --release -p book --bin measure-form-factors` printed.
-const CSV: &str = include_str!("../../data/form-factors-2026-11-22.csv");
-
-fn measured() -> Vec<Point> {
-    chart::points(CSV).expect("a line of the CSV does not fit")
-}
-
-/// The chart as SVG.
-pub fn svg() -> String {
-    chart::svg(
-        "Relative error of a form factor against the time to find it",
-        &measured(),
-        "milliseconds for a factor",
-        "relative error",
-    )
-}
+use crate::chart::{self, find, trials};
+use radiosity::chart::Trial;
+use radiosity::chart::suites::form_factors::{HIDDEN, TOUCHING};
 
 /// What `cargo bench --bench form_factors` printed last: faces, and milliseconds a row.
 const SCALING: &str = include_str!("../../data/scaling-2026-11-22.csv");
@@ -52,37 +37,56 @@ pub fn scaling_text() -> String {
     )
 }
 
-/// What the chart says, with its numbers.
+/// What the chart of the touching pair says, with its numbers.
 pub fn text() -> String {
-    let points = measured();
-    let find = |method: &str, setting: &str| {
-        let fits = |p: &&Point| p.method == method && p.setting == setting;
-        points.iter().find(fits).expect("it was measured")
-    };
-    let exact = find("exchange", "1e-12");
-    let last = |method: &str| {
-        points.iter().rfind(|p| p.method == method).expect("it was measured")
-    };
+    let trials = trials(include_str!("../../data/form-factors.csv"));
+    let find = |method, setting| find(&trials, TOUCHING, method, setting);
+    let exact = find("Lambert's formula", 1e-10);
     let meanwhile = |method: &str| {
-        let fits =
-            |p: &&Point| p.method == method && p.milliseconds <= exact.milliseconds;
-        100.0 * points.iter().rfind(fits).expect("it was measured").error
+        let fits = |t: &&Trial| {
+            t.scene == TOUCHING && t.method == method && t.seconds <= exact.seconds
+        };
+        100.0 * trials.iter().rfind(fits).map_or(f64::NAN, |t| t.error)
     };
+    let last = |method: &'static str| 100.0 * find(method, 1e5).error;
     format!(
         "`exchange`, by the contour integral, takes {:.1} µs and is right to {:.0e}: for a \
          pair with nothing between, **nothing else is worth its time**. In that time the \
          points are off by {:.0} %, and middles by {:.1} %. Points are of first order here, \
          and four edges are cut: a digit costs ten thousand times the work. Middles are of \
          second order, and two edges are cut: a digit costs ten times the work. Of random \
-         pairs, {} leave an error of {:.1} %, and ten times as many need not do better. As \
-         many rays come to {:.1} %. The hemicube stands still at {:.0} %: proximity.\n",
-        1e3 * exact.milliseconds,
+         pairs, 100 000 leave an error of {:.1} %, and ten times as many need not do better. \
+         As many rays come to {:.2} %. The hemicube stands still at {:.0} %: proximity.\n",
+        1e6 * exact.seconds,
+        exact.error.max(1e-16),
+        meanwhile("point to point"),
+        meanwhile("Lambert at the middles"),
+        last("random pairs"),
+        last("rays"),
+        100.0 * find("one hemicube", 1024.0).error
+    )
+}
+
+/// What the chart of the half hidden pair says.
+pub fn hidden_text() -> String {
+    let trials = trials(include_str!("../../data/form-factors.csv"));
+    let find = |method, setting| find(&trials, HIDDEN, method, setting);
+    let blind = find("point to point", 32.0);
+    let exact = find("Lambert's formula", 1e-4);
+    let rays = find("rays", 1e5);
+    format!(
+        "Behind a screen the rules without visibility go on to be sure of themselves, and find \
+         {:.1} times what is there, however finely they cut. Lambert's formula, cut along the \
+         edges of what is seen, is right to {:.0e} in {:.2} ms; rays come to {:.1} % in \
+         {:.0} ms; one hemicube sees {}, as its one eye stands behind the screen.\n",
+        1.0 + blind.error,
         exact.error,
-        meanwhile("points"),
-        meanwhile("middles"),
-        last("random pairs").setting,
-        100.0 * last("random pairs").error,
-        100.0 * last("rays").error,
-        100.0 * last("hemicube").error
+        1e3 * exact.seconds,
+        100.0 * rays.error,
+        1e3 * rays.seconds,
+        match find("one hemicube", 1024.0).error {
+            e if e > 0.99 => "nothing".to_string(),
+            e => format!("{:.0} % too little or too much", 100.0 * e),
+        }
     )
 }

@@ -1,40 +1,23 @@
-//! The chart of the chapter, from measurements that are kept with their date.
+//! What the chart of the chapter says.
 
-use crate::chart::{self, Point};
+use crate::chart::{find, trials};
+use radiosity::chart::Trial;
+use radiosity::chart::suites::form_factors::{MEASURED, ROWS};
 
-/// What `cargo run --release -p book --bin measure` printed.
-const CSV: &str = include_str!("../../data/hemicube-2026-11-22.csv");
-
-fn points() -> Vec<Point> {
-    chart::points(CSV).expect("a line of the CSV does not fit")
-}
-
-/// The chart as SVG.
-pub fn svg() -> String {
-    chart::svg(
-        "Largest error of a form factor against the time for a row of them",
-        &points(),
-        "milliseconds for a row",
-        "largest error of a factor",
-    )
-}
-
-/// What the chart says, in a paragraph with its numbers.
+/// A paragraph with its numbers.
 pub fn text() -> String {
-    let points = points();
-    let hemicube = |pairs: &str, setting: &str| {
-        let fits = |p: &&Point| p.method == pairs && p.setting == setting;
-        points.iter().find(fits).expect("the resolution was measured")
-    };
-    let near = hemicube("hemicube", "1024");
-    let far = hemicube("hemicube (far pairs)", "128");
-    let finest = hemicube("hemicube (far pairs)", "1024");
+    let trials = trials(include_str!("../../data/form-factors.csv"));
+    let hemicube = |pairs: &str, setting| find(&trials, ROWS, pairs, setting);
+    let near = hemicube("hemicube", 1024.0);
+    let far = hemicube("hemicube: far pairs", 128.0);
+    let finest = hemicube("hemicube: far pairs", 1024.0);
     let as_good = |method: &str| {
-        let fits = |p: &&Point| p.method == method && p.error <= far.error;
-        points.iter().find(fits).expect("the method reaches that error")
+        let fits =
+            |t: &&Trial| t.scene == ROWS && t.method == method && t.error <= far.error;
+        trials.iter().find(fits).expect("the method reaches that error")
     };
-    let times = |p: &Point| p.milliseconds / far.milliseconds;
-    let (analytic, rays) = (as_good("analytic"), as_good("rays"));
+    let times = |t: &Trial| t.seconds / far.seconds;
+    let (analytic, rays) = (as_good("Lambert's formula"), as_good("rays"));
     format!(
         "Two failures can be read off. Over *all* pairs the hemicube is off by {:.3}, even \
          at resolution 1024: that is proximity, where elements meet in a corner, and finer \
@@ -46,7 +29,7 @@ pub fn text() -> String {
         near.error,
         far.error,
         finest.error,
-        far.milliseconds,
+        1e3 * far.seconds / MEASURED as f64,
         analytic.setting,
         times(analytic),
         rays.setting,

@@ -1,38 +1,11 @@
-//! The charts of the chapters on light, from measurements that are kept with their date.
+//! What the charts of the chapters on light say.
 
-use crate::chart::{self, Point};
+use crate::chart::{find, trials};
+use radiosity::chart::Trial;
+use radiosity::chart::suites::light::{IRRADIANCE, SOLID_ANGLE};
 
-/// What `cargo run --release -p book --bin measure light` printed.
-const CSV: &str = include_str!("../../data/light-2026-11-22.csv");
-
-/// The measurements of one chapter: those whose method starts with `group`.
-fn points(group: &str) -> Vec<Point> {
-    let points = chart::points(CSV).expect("a line of the CSV does not fit");
-    let of_group = |mut p: Point| {
-        p.method = p.method.strip_prefix(group)?.trim_start().into();
-        Some(p)
-    };
-    points.into_iter().filter_map(of_group).collect()
-}
-
-/// The chart of *Solid angle*.
-pub fn solid_angle() -> String {
-    chart::svg(
-        "Relative error of a solid angle against the time to find it",
-        &points("Ω"),
-        "milliseconds for a solid angle",
-        "relative error",
-    )
-}
-
-/// How many times as long `method` takes at `setting` as the exact formula.
-fn times(group: &str, method: &str, setting: &str) -> f64 {
-    let points = points(group);
-    let find = |method: &str, setting: &str| {
-        let fits = |p: &&Point| p.method == method && p.setting == setting;
-        points.iter().find(fits).expect("it was measured").milliseconds
-    };
-    find(method, setting) / find("exact", "closed form")
+fn light() -> Vec<Trial> {
+    trials(include_str!("../../data/light.csv"))
 }
 
 /// A number to two digits: times differ from run to run.
@@ -43,40 +16,31 @@ fn about(v: f64) -> f64 {
 
 /// What the chart of *Solid angle* says.
 pub fn solid_angle_text() -> String {
+    let trials = light();
+    let find = |method, setting| find(&trials, SOLID_ANGLE, method, setting);
+    let exact = find("closed form", 1.0).seconds;
     format!(
         "The exact formula costs as much as {:.0} pieces. Pieces win a factor of four in \
          error for a factor of four in time: they are second order in their edge, and \
          there are two edges to cut. 100 000 rays take {:.0} times as long as the exact \
          formula, and know three digits.\n",
-        64.0 / times("Ω", "pieces", "64"),
-        about(times("Ω", "rays", "100000"))
-    )
-}
-
-/// The chart of *Radiometry*.
-pub fn irradiance() -> String {
-    chart::svg(
-        "Relative error of an irradiance against the time to find it",
-        &points("H"),
-        "milliseconds for an irradiance",
-        "relative error",
+        64.0 * exact / find("k × k pieces", 8.0).seconds,
+        about(find("rays", 1e5).seconds / exact)
     )
 }
 
 /// What the chart of *Radiometry* says.
 pub fn irradiance_text() -> String {
-    let points = points("H");
-    let error = |method: &str| {
-        let fits = |p: &&Point| p.method == method && p.setting == "10000";
-        100.0 * points.iter().find(fits).expect("it was measured").error
-    };
+    let trials = light();
+    let find = |method, setting| find(&trials, IRRADIANCE, method, setting);
+    let (cosine, even) = ("rays by the cosine", "even rays");
     format!(
         "Of the same number of rays, those that are drawn by the cosine tell more: 10 000 of \
          them leave an error of {:.2} %, as many even ones {:.2} %, for those spend half of \
          their number on directions that hardly count. One evaluation of Lambert's formula \
          takes as long as some {:.0} rays, and is exact.\n",
-        error("cosine rays"),
-        error("even rays"),
-        about(100.0 / times("H", "cosine rays", "100"))
+        100.0 * find(cosine, 1e4).error,
+        100.0 * find(even, 1e4).error,
+        about(100.0 * find("closed form", 1.0).seconds / find(cosine, 100.0).seconds)
     )
 }

@@ -10,7 +10,6 @@ pub mod cost;
 pub mod lamp;
 pub mod panorama;
 pub mod pieces;
-pub mod rays;
 
 /// Path and text of the generated files of these chapters.
 pub fn files() -> Vec<(String, String)> {
@@ -18,7 +17,6 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/solid-angle-view.md".to_string(), panorama::caption()),
         ("generated/solid-angle-ledger.md".into(), panorama::ledger()),
         ("generated/solid-angle-key.md".into(), pieces::key()),
-        ("generated/solid-angle-cost.svg".into(), cost::solid_angle()),
         ("generated/solid-angle-cost.md".into(), cost::solid_angle_text()),
     ];
     for (k, height) in panorama::HEIGHTS.into_iter().enumerate() {
@@ -28,7 +26,6 @@ pub fn files() -> Vec<(String, String)> {
     files.extend([
         ("generated/radiometry-view.md".to_string(), lamp::caption()),
         ("generated/radiometry-key.md".into(), lamp::key()),
-        ("generated/radiometry-cost.svg".into(), cost::irradiance()),
         ("generated/radiometry-cost.md".into(), cost::irradiance_text()),
         ("generated/radiometry-ledger.md".into(), lamp::ledger()),
     ]);

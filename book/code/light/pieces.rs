@@ -2,6 +2,7 @@
 
 use crate::map;
 use glam::{DVec2, DVec3, dvec2, dvec3};
+use radiosity::chart::suites::light::by_pieces;
 use radiosity::film::RgbImage;
 use radiosity::geometry::Polygon;
 use radiosity::radiometry::solid_angle;
@@ -11,22 +12,6 @@ pub const CUTS: [u32; 3] = [1, 2, 4];
 
 /// The range of the colours, as relative errors.
 const RANGE: (f64, f64) = (1e-3, 1.0);
-
-/// The middles of the `cuts × cuts` pieces of a unit square about the origin.
-pub fn middles(cuts: u32) -> impl Iterator<Item = DVec3> {
-    let at = move |k: u32| (f64::from(k) + 0.5) / f64::from(cuts) - 0.5;
-    (0..cuts * cuts).map(move |k| dvec3(at(k % cuts), at(k / cuts), 0.0))
-}
-
-/// `Σ ΔA cosθ/r²` over the pieces of the unit square about the origin, that looks along −z.
-pub fn by_pieces(p: DVec3, cuts: u32) -> f64 {
-    let area = f64::from(cuts * cuts).recip();
-    let piece = |middle: DVec3| {
-        let r = p - middle;
-        area * r.z.abs() / r.length().powi(3)
-    };
-    middles(cuts).map(piece).sum()
-}
 
 /// The square itself.
 pub fn target() -> Polygon {

@@ -116,7 +116,6 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/progressive-work.md".into(), work::text()),
         ("generated/progressive-specks.md".into(), specks::text()),
         ("generated/progressive-ledger.md".into(), steps::ledger()),
-        ("generated/progressive-cost.svg".into(), cost::svg()),
         ("generated/progressive-cost.md".into(), cost::text()),
         ("generated/shines-bounces.md".into(), lit::bounces()),
         ("generated/shines-rows.md".into(), lit::rows()),

@@ -1,52 +1,22 @@
-//! The race of the solvers, from measurements that are kept with their date.
+//! What the race of the solvers says.
 
-use radiosity::chart::race::{self, Finish, contestants};
+use crate::chart::{find, trials};
+use radiosity::chart::race::contestants;
+use radiosity::chart::suites::solvers::{BOUNCES, RACE};
 use std::fmt::Write;
-
-/// What `radiosity chart solvers` wrote.
-const CSV: &str = include_str!("../../data/solvers-2026-11-22.csv");
-
-/// All runs; a line that does not fit is a mistake of the file.
-pub fn finishes() -> Vec<Finish> {
-    let names = contestants().map(|c| c.name);
-    let finish = |line: &str| {
-        let cells: Vec<&str> = line.split(',').collect();
-        let [solver, reflectance, steps, transfers, seconds, bound, converged] =
-            cells[..]
-        else {
-            return None;
-        };
-        Some(Finish {
-            solver: names.into_iter().find(|&name| name == solver)?,
-            reflectance: reflectance.parse().ok()?,
-            steps: steps.parse().ok()?,
-            transfers: transfers.parse().ok()?,
-            seconds: seconds.parse().ok()?,
-            bound: bound.parse().ok()?,
-            converged: converged.parse().ok()?,
-        })
-    };
-    let lines = CSV.lines().filter(|line| !line.starts_with('#')).skip(1);
-    lines.map(|line| finish(line).expect("a line of the CSV does not fit")).collect()
-}
-
-/// Time over the number of bounces.
-pub fn time_svg() -> String {
-    let title = "Processor time of each solver against the number of bounces";
-    race::chart(title, "CPU seconds", &finishes(), |f| f.seconds).svg()
-}
 
 /// Steps, work and time, as a Markdown table.
 pub fn table() -> String {
-    let finishes = finishes();
+    let trials = trials(include_str!("../../data/solvers.csv"));
     let mut text = String::from(
         "| solver | ρ = 0.5 | 0.9 | 0.99 | 0.999 |\n|---|---|---|---|---|\n",
     );
     for contestant in contestants() {
         let _ = write!(text, "| {} ", contestant.name);
-        for f in finishes.iter().filter(|f| f.solver == contestant.name) {
-            let (work, time) = (f.transfers as f64 / 1e6, 1e3 * f.seconds);
-            let _ = write!(text, "| {} · {work:.2} · {time:.2} ", f.steps);
+        for bounces in BOUNCES {
+            let t = find(&trials, RACE, contestant.name, bounces);
+            let (work, time) = (t.work.factors as f64 / 1e6, 1e3 * t.seconds);
+            let _ = write!(text, "| {} · {work:.2} · {time:.2} ", t.work.steps);
         }
         text += "|\n";
     }
@@ -55,15 +25,14 @@ pub fn table() -> String {
 
 /// What the table says.
 pub fn text() -> String {
-    let finishes = finishes();
-    let of = |name: &str, rho: f64| {
-        let fits = |f: &&Finish| f.solver == name && f.reflectance == rho;
-        finishes.iter().find(fits).expect("it was in the race")
+    let trials = trials(include_str!("../../data/solvers.csv"));
+    let work = |name, bounces| find(&trials, RACE, name, bounces).work;
+    let times = |name: &'static str, bounces| {
+        let [own, least] =
+            [name, "conjugate gradients"].map(|n| work(n, bounces).factors);
+        own as f64 / least as f64
     };
-    let times = |name: &str, rho: f64| {
-        of(name, rho).transfers as f64 / of("conjugate gradients", rho).transfers as f64
-    };
-    let growth = |name: &str| of(name, 0.999).steps as f64 / of(name, 0.9).steps as f64;
+    let growth = |name| work(name, 1000.0).steps as f64 / work(name, 10.0).steps as f64;
     format!(
         "From ρ = 0.9 to 0.999 light bounces a hundred times as often. Jacobi takes {:.0} \
          times as many steps, Gauss–Seidel {:.0}, conjugate gradients {:.1}. At ρ = 0.5 \
@@ -74,8 +43,8 @@ pub fn text() -> String {
         growth("Jacobi"),
         growth("Gauss-Seidel"),
         growth("conjugate gradients"),
-        1.0 / times("overshooting", 0.5),
-        times("Gauss-Seidel", 0.999),
-        times("overshooting", 0.999),
+        1.0 / times("overshooting", 2.0),
+        times("Gauss-Seidel", 1000.0),
+        times("overshooting", 1000.0),
     )
 }

@@ -16,7 +16,6 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/solving-ledger.md".into(), stages::ledger()),
         ("generated/solving-stall.svg".into(), stall::svg()),
         ("generated/solving-stall.md".into(), stall::text()),
-        ("generated/solving-time.svg".into(), cost::time_svg()),
         ("generated/solving-race.md".into(), cost::table()),
         ("generated/solving-cost.md".into(), cost::text()),
     ];

@@ -1,40 +1,25 @@
-//! The charts of the chapters on surfaces, from measurements that are kept with their date.
+//! What the charts of the chapters on surfaces say.
 
-use crate::chart::{self, Point};
+use crate::chart::{find, trials};
+use radiosity::chart::Trial;
+use radiosity::chart::suites::light::ALBEDO;
 use radiosity::mesh::Mesh;
 use radiosity::scene::built_in;
 use std::fmt::Write;
 
-/// What `cargo run --release -p book --bin measure-surfaces` printed.
-const CSV: &str = include_str!("../../data/surfaces-2026-11-22.csv");
-
-fn points(methods: &[&str]) -> Vec<Point> {
-    let points = chart::points(CSV).expect("a line of the CSV does not fit");
-    points.into_iter().filter(|p| methods.contains(&p.method.as_str())).collect()
+fn light() -> Vec<Trial> {
+    trials(include_str!("../../data/light.csv"))
 }
 
-/// The one measurement of this method and setting.
-fn point(method: &str, setting: &str) -> Point {
-    let mut of_method = points(&[method]).into_iter();
-    of_method.find(|p| p.setting == setting).expect("it was measured")
-}
-
-/// The chart of *BRDF*: one integral over the lobe, by three kinds of samples.
-pub fn samples() -> String {
-    chart::svg(
-        "Relative error of the reflected light against the time to find it",
-        &points(&["even", "cosine", "lobe"]),
-        "milliseconds for one point",
-        "relative error",
-    )
-}
-
-/// What that chart says.
+/// What the chart of *BRDF* says.
 pub fn samples_text() -> String {
-    let error = |method: &str| 100.0 * point(method, "1000").error;
-    // To one digit: errors of 32 runs are known to a tenth.
-    let samples = |method: &str| {
-        let ratio = (error(method) / error("lobe")).powi(2);
+    let trials = light();
+    let error = |drawn: &str| 100.0 * find(&trials, ALBEDO, drawn, 1000.0).error;
+    let (lobe, cosine, even) =
+        ("drawn from the lobe", "drawn by the cosine", "drawn evenly");
+    // To one digit: errors of 16 runs are known to a sixth.
+    let samples = |drawn: &str| {
+        let ratio = (error(drawn) / error(lobe)).powi(2);
         let unit = 10f64.powf(ratio.log10().floor());
         (ratio / unit).round() * unit
     };
@@ -43,35 +28,26 @@ pub fn samples_text() -> String {
          the cosine {:.1} %, even ones {:.1} %. All errors fall as one over the root, so \
          that it takes about {:.0} directions by the cosine, or {:.0} even ones, to replace one \
          from the lobe. The narrower the lobe, the more.\n",
-        error("lobe"),
-        error("cosine"),
-        error("even"),
-        samples("cosine"),
-        samples("even"),
+        error(lobe),
+        error(cosine),
+        error(even),
+        samples(cosine),
+        samples(even),
     )
 }
 
-/// The chart of *Albedo*: closed form, grid, samples.
-pub fn albedo() -> String {
-    chart::svg(
-        "Relative error of a directional albedo against the time to find it",
-        &points(&["closed form", "grid", "lobe"]),
-        "milliseconds for one albedo",
-        "relative error",
-    )
-}
-
-/// What that chart says.
+/// What the chart of *Albedo* says.
 pub fn albedo_text() -> String {
-    let exact = point("closed form", "exact").milliseconds;
-    let [coarse, grid] = ["4", "8"].map(|rings| point("grid", rings));
+    let trials = light();
+    let exact = find(&trials, ALBEDO, "closed form", 1.0).seconds;
+    let [coarse, grid] = [4.0, 8.0].map(|rings| find(&trials, ALBEDO, "grid", rings));
     format!(
         "The closed form takes {:.2} µs. A grid of 8 × 32 directions takes {:.0} times as \
          long, and is off by {:.0e}; one of 4 × 16, by {:.0} %. The lobe is smooth: once its \
          cells are narrower than the lobe, a grid finds it to rounding, and samples cannot \
          follow.\n",
-        1e3 * exact,
-        grid.milliseconds / exact,
+        1e6 * exact,
+        grid.seconds / exact,
         grid.error,
         100.0 * coarse.error,
     )

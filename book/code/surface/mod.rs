@@ -9,7 +9,6 @@ pub mod ball;
 pub mod cost;
 pub mod ledger;
 pub mod lobes;
-pub mod samples;
 pub mod swap;
 
 /// Path and text of the generated files of these chapters.
@@ -18,12 +17,10 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/brdf-view.md".to_string(), ball::caption()),
         ("generated/brdf-lobes.svg".into(), lobes::polar()),
         ("generated/brdf-swap-key.md".into(), swap::key()),
-        ("generated/brdf-cost.svg".into(), cost::samples()),
         ("generated/brdf-cost.md".into(), cost::samples_text()),
         ("generated/brdf-ledger.md".into(), ledger::of_the_ball()),
         ("generated/albedo-view.md".into(), ball::furnace_caption()),
         ("generated/albedo-curves.svg".into(), lobes::curves()),
-        ("generated/albedo-cost.svg".into(), cost::albedo()),
         ("generated/albedo-cost.md".into(), cost::albedo_text()),
         ("generated/albedo-numbers.md".into(), cost::numbers()),
         ("generated/albedo-bounces.md".into(), ledger::bounces()),

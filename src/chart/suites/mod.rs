@@ -2,6 +2,8 @@
 //! them.
 
 pub mod form_factors;
+pub mod light;
+pub mod solvers;
 
 use super::{Bench, Trial, View};
 
@@ -18,7 +20,7 @@ pub struct Suite {
 }
 
 /// All suites, in the order of the book.
-pub const SUITES: [Suite; 1] = [form_factors::SUITE];
+pub const SUITES: [Suite; 3] = [light::SUITE, form_factors::SUITE, solvers::SUITE];
 
 /// The suite of this name.
 pub fn suite(name: &str) -> Option<&'static Suite> {

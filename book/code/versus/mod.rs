@@ -1,0 +1,24 @@
+//! The figures and numbers of *Speed against accuracy*.
+//!
+//! [`views`] draws what the same time buys; [`itself`] is a chart that lies; [`rule`] says
+//! who wins where, from all that was measured.
+
+pub mod itself;
+pub mod rule;
+pub mod views;
+
+/// Path and text of the generated files of the chapter.
+pub fn files() -> Vec<(String, String)> {
+    let mut files = vec![
+        ("generated/versus-itself.svg".to_string(), itself::svg()),
+        ("generated/versus-itself.md".into(), itself::text()),
+        ("generated/versus-slopes.md".into(), rule::slopes()),
+        ("generated/versus-winners.md".into(), rule::winners()),
+        ("generated/versus-cost.md".into(), rule::cost()),
+        ("generated/versus-ledger.md".into(), views::ledger()),
+    ];
+    for k in 0..views::VIEWS.len() {
+        files.push((format!("generated/versus-view-{k}.md"), views::caption(k)));
+    }
+    files
+}

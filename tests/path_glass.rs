@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::paths::{by_chance, dull, glass, mirror, pane, shine, shiny, sphere};
-use common::rooms::{box_walls, moved, rectangle};
+use common::paths::{by_chance, dull, glow, mirror, pane, shine, shiny};
+use common::rooms::rectangle;
 use glam::{DVec3, dvec3};
 use radiosity::geometry::{Polygon, Ray, Rgb};
 use radiosity::material::optics::pane as pane_shares;
@@ -11,77 +11,7 @@ use radiosity::material::{Coefficients, Shine};
 use radiosity::random::Stream;
 use radiosity::scene::Scene;
 use radiosity::trace::PathTracer;
-use std::f64::consts::{PI, TAU};
-
-/// A cube about the origin whose walls glow with radiance 1 and reflect nothing.
-fn glow() -> impl Iterator<Item = (Polygon, Coefficients)> {
-    let wall = |p: Polygon| moved(&p, |v| v - DVec3::splat(3.0));
-    box_walls([6.0; 3]).into_iter().map(move |p| (wall(p), dull(PI, 0.0)))
-}
-
-/// The sides of a block about the origin, fronts outwards.
-fn block(size: [f64; 3], material: Coefficients) -> Vec<(Polygon, Coefficients)> {
-    let middle = 0.5 * DVec3::from(size);
-    let side = |p: Polygon| moved(&p.flipped(), |v| v - middle);
-    box_walls(size).into_iter().map(|p| (side(p), material)).collect()
-}
-
-/// Radiance (red) of single paths from `eye`, all around.
-fn samples(scene: &Scene, eye: DVec3, count: usize) -> Vec<f64> {
-    let tracer = PathTracer::of(scene);
-    let mut random = Stream::named(71, &[]);
-    let mut one = || {
-        let (z, phi) = (2.0 * random.next() - 1.0, TAU * random.next());
-        let (sin, cos) = phi.sin_cos();
-        let r = (1.0 - z * z).sqrt();
-        let ray = Ray { origin: eye, direction: dvec3(r * cos, r * sin, z) };
-        tracer.radiance(ray, &mut random).x
-    };
-    (0..count).map(|_| one()).collect()
-}
-
-/// Row 71: in an even glow clear glass cannot be seen, be it a ball, a block with total
-/// internal reflection, a ball in a ball or a stack of panes: every single path finds 1.
-/// Seen from within, the glow is brighter by the square of the index.
-#[test]
-fn row_71_glass_is_invisible_in_an_even_glow() {
-    let ball = |r: f64, n: f64| {
-        sphere(DVec3::ZERO, r, 12).into_iter().map(move |p| (p, glass(n)))
-    };
-    let slabs = |count: usize| {
-        let slab = |k: usize| {
-            let corner = dvec3(-1.0, -1.0, 0.2 * k as f64);
-            (rectangle(corner, 2.0 * DVec3::X, 2.0 * DVec3::Y), pane())
-        };
-        (0..count).map(slab)
-    };
-    let outside = dvec3(0.3, -2.5, 0.4);
-    let scenes: [(&str, Scene, DVec3, f64); 5] = [
-        ("ball", shiny(glow().chain(ball(1.0, 1.5))), outside, 1.0),
-        (
-            "block",
-            shiny(glow().chain(block([1.0, 2.0, 1.5], glass(1.8)))),
-            outside,
-            1.0,
-        ),
-        (
-            "balls",
-            shiny(glow().chain(ball(1.0, 1.5)).chain(ball(0.7, 1.2))),
-            outside,
-            1.0,
-        ),
-        ("panes", shiny(glow().chain(slabs(6))), dvec3(0.1, 0.2, 0.5), 1.0),
-        ("within", shiny(glow().chain(ball(1.0, 1.5))), dvec3(0.1, 0.2, 0.1), 2.25),
-    ];
-    for (name, scene, eye, right) in &scenes {
-        let all = samples(scene, *eye, 4000);
-        let exact = all.iter().filter(|&&l| (l - right).abs() < 1e-9).count();
-        // the rest are paths so long that they end by chance
-        assert!(exact > 3960, "{name}: {exact} of 4000");
-        let mean = all.iter().sum::<f64>() / 4000.0;
-        assert!((mean - right).abs() < 0.02 * right, "{name}: {mean}");
-    }
-}
+use std::f64::consts::PI;
 
 /// A lamp behind panes, seen straight on: of N of them, with the reflections between all
 /// faces, (1 − R)/(1 + (2N − 1) R) passes. Rows 69 and 73: what is summed by chance has no

@@ -11,7 +11,7 @@ use radiosity::material::Shine;
 use radiosity::radiometry::cosine_direction;
 use radiosity::random::Stream;
 use radiosity::scene::{FaceId, Scene};
-use radiosity::sky::{Panorama, Sky};
+use radiosity::sky::Sky;
 use radiosity::trace::{PathTracer, Strategy};
 use std::f64::consts::PI;
 
@@ -220,83 +220,6 @@ fn all_strategies_agree() {
         }
     }
     by_chance(&all);
-}
-
-/// Row 72: in the corner below a lamp that is drawn by its area, a point counts as 1/r²:
-/// single samples are hundreds of times what there is to see. Weighed by both chances, none
-/// counts more than the lamp itself.
-#[test]
-fn row_72_corners_make_no_sparks() {
-    let walls = box_walls([1.0; 3])
-        .into_iter()
-        .enumerate()
-        .map(|(k, wall)| (wall, if k == 0 { dull(PI, 0.0) } else { dull(0.0, 0.7) }));
-    let scene = shiny(walls);
-    let brightest = |strategy| {
-        let tracer = PathTracer::of(&scene).by(strategy);
-        let mut random = Stream::named(72, &[]);
-        let mut most = 0.0_f64;
-        for _ in 0..100_000 {
-            // the floor within a hundredth of the lamp
-            let target = dvec3(0.01 * random.next(), random.next(), 0.0);
-            let origin = dvec3(0.5, 0.5, 0.9);
-            let ray = Ray { origin, direction: (target - origin).normalize() };
-            tracer
-                .radiance_by_class(ray, &mut random, &mut |_, l| most = most.max(l.x));
-        }
-        most
-    };
-    assert!(brightest(Strategy::Lamps) > 100.0, "{}", brightest(Strategy::Lamps));
-    assert!(brightest(Strategy::Both) <= 1.0 + 1e-9, "{}", brightest(Strategy::Both));
-}
-
-/// Row 74: below a uniform sky a plane sees the share ½(1 + cosβ) of it, as much as it is
-/// turned up; and a sky is found by either way.
-#[test]
-fn row_74_planes_see_their_share_of_the_sky() {
-    let mut all = vec![];
-    for tilt in [0.0, 30.0, 60.0, 90.0, 120.0, 150.0_f64] {
-        let (sin, cos) = tilt.to_radians().sin_cos();
-        let plane = rectangle(DVec3::ZERO, DVec3::Y, dvec3(-cos, 0.0, sin));
-        let x = plane.centroid();
-        assert!((plane.normal() - dvec3(sin, 0.0, cos)).length() < 1e-12);
-        let mut scene = shiny([(plane, dull(0.0, 0.0))]);
-        scene.sky = Some(Sky::uniform(Rgb::ONE, DVec3::Z));
-        for strategy in STRATEGIES {
-            let found = PathTracer::of(&scene).by(strategy).irradiance(0, x, 20_000, 3);
-            let right = PI * (1.0 + cos) / 2.0;
-            let name = format!("{tilt}°, {strategy:?}");
-            all.push((name, found.mean.x, found.error.x, right));
-        }
-    }
-    by_chance(&all);
-}
-
-/// Row 75: a sun in one texel. Directions drawn by the lobe miss it, or find it once and
-/// count it as the half of the sky; drawn by its brightness it costs no noise.
-#[test]
-fn row_75_a_sun_in_one_texel_is_found() {
-    let sun = dvec3(0.3, 0.9, 0.2).normalize();
-    let width = 512;
-    let bright = |d: DVec3| Rgb::splat(if d.dot(sun) > 0.999_97 { 1e5 } else { 1.0 });
-    let panorama = Panorama::painted(width, width / 2, bright).unwrap();
-    let texels = panorama.texels().iter().filter(|l| l.x > 1.0).count();
-    assert!((1..=4).contains(&texels), "{texels}");
-    // the panorama's +y is up here
-    let ground = rectangle(DVec3::ZERO, DVec3::X, DVec3::NEG_Z);
-    let up = ground.normal();
-    let mut scene = shiny([(ground, dull(0.0, 0.0))]);
-    scene.sky = Some(Sky::panorama(panorama, up));
-    let right = scene.sky.as_ref().unwrap().irradiance(up).x;
-    let found = |strategy| {
-        let tracer = PathTracer::of(&scene).by(strategy);
-        tracer.irradiance(0, dvec3(0.5, 0.0, -0.5), 4096, 75)
-    };
-    let both = found(Strategy::Both);
-    assert!(both.error.x < 0.02 * right, "{} of {right}", both.error.x);
-    by_chance(&[("sun", both.mean.x, both.error.x, right)]);
-    let lobes = found(Strategy::Lobes);
-    assert!(lobes.error.x > 0.2 * right || lobes.mean.x < 0.5 * right, "{lobes:?}");
 }
 
 /// The errors told are those that are made: over 400 estimates the mean of z² is 1.

@@ -1,25 +1,28 @@
 //! Light that two passes count twice, or lose: rows 64, 65, 66 and 73 of the failures.
 
 mod common;
+mod failures;
 
 use common::paths::{by_chance, dull, mirror, shiny};
 use common::rooms::rectangle;
 use common::{cases, point, polygon};
+use failures::passes::{
+    FACING, between, booked_as_absorbed, counted_twice, cut_at_a_depth, hall, hall_of,
+    lost_light,
+};
 use glam::{DVec3, dvec3};
-use radiosity::form_factor::FormFactors;
-use radiosity::form_factor::analytic::Analytic;
 use radiosity::geometry::{Polygon, Ray, Rgb};
 use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
-use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{Enclosure, GaussSeidel};
+use radiosity::scene::Scene;
 use radiosity::trace::{Class, Light, Limits, Options, PathTracer, TwoPass, Whitted};
 use std::f64::consts::PI;
 
 const RHO: f64 = 0.5;
 
-/// A floor below a lamp beside a mirror, from the table: the scene, the middle of the floor,
-/// its irradiance straight from the lamp, and that by way of the mirror, exactly.
+/// A floor below a lamp beside a mirror, from the table: the scene, the middle of the
+/// floor, its irradiance straight from the lamp, and that by way of the mirror,
+/// exactly.
 fn floor_lamp_and_mirror() -> (Scene, DVec3, f64, f64) {
     let cases = cases("G_mirror_glass");
     let case = cases.iter().find(|c| c["id"] == "G7-mirror-point-wall-finite").unwrap();
@@ -45,12 +48,12 @@ fn look_at(x: DVec3) -> Ray {
     Ray { origin, direction: (x - origin).normalize() }
 }
 
-/// Row 65: classical ray tracing asks lamps straight, so that what a mirror throws on the
-/// floor is lost: exactly the factor of the lamp's image. Paths find both, each in its class.
-/// Row 64: a second pass that adds this light to a radiosity that has it counts the class
-/// `EDS⁺L` twice, here 12 % of the floor's light, and no other.
+/// Row 65: classical ray tracing asks lamps straight, so that what a mirror throws on
+/// the floor is lost: exactly the factor of the lamp's image. Paths find both, each in
+/// its class. Row 64: a second pass that adds this light to a radiosity that has it
+/// counts the class `EDS⁺L` twice, here 12 % of the floor's light, and no other.
 #[test]
-fn rows_64_and_65_the_mirrored_lamp_is_lost_or_counted_twice() {
+fn rows_64_and_65_a_mirrored_lamp_lost_or_twice() {
     let (scene, x, straight, mirrored) = floor_lamp_and_mirror();
     let seen = Whitted::of(&scene, Limits::default()).along(&look_at(x)).radiance;
     let right = RHO * (straight + mirrored) / PI;
@@ -86,11 +89,21 @@ fn rows_64_and_65_the_mirrored_lamp_is_lost_or_counted_twice() {
     ]);
     let twice = (straight + 2.0 * mirrored) / (straight + mirrored);
     assert!((1.11..1.12).contains(&twice), "{twice}");
+
+    // The same beside a mirror that reflects more and more.
+    for sweep in [counted_twice(), lost_light()] {
+        for [share, right] in &sweep.theory {
+            let (wrong, ours) = (sweep.at(*share), sweep.by(1, *share));
+            assert!((wrong - right).abs() < 1e-7, "{share}: {wrong} {right}");
+            assert!(ours.abs() < 1e-7, "{share}: {ours}");
+        }
+        assert!((5.4..5.9).contains(&sweep.at(1.0)), "{}", sweep.at(1.0));
+    }
 }
 
-/// Row 66: ray tracing bolted on plain radiosity, for which a mirror is a black wall. The
-/// floor lacks what the mirror throws on it, whatever the second pass does; and the ledger
-/// books as absorbed what the mirror reflects, Ks F Φ of the power.
+/// Row 66: ray tracing bolted on plain radiosity, for which a mirror is a black wall.
+/// The floor lacks what the mirror throws on it, whatever the second pass does; and the
+/// ledger books as absorbed what the mirror reflects, Ks F Φ of the power.
 #[test]
 fn row_66_plain_radiosity_takes_mirrors_for_black() {
     let (scene, x, straight, _) = floor_lamp_and_mirror();
@@ -111,28 +124,18 @@ fn row_66_plain_radiosity_takes_mirrors_for_black() {
     let seen = second.along(&look_at(x)).radiance;
     assert!((seen.x - RHO * straight / PI).abs() < 1e-12, "{seen}");
 
-    // A lamp before a mirror, both unit squares.
-    let ks = 0.8;
-    let squares = built_in("facing-squares").unwrap();
-    let mut faces: Vec<Polygon> =
-        squares.surfaces.iter().map(|s| s.polygon.clone()).collect();
-    let lit =
-        squares.surfaces.iter().position(|s| squares.material(s).emits()).unwrap();
-    let lamp = faces.remove(lit);
-    let opposite = faces.remove(0);
-    let silver = shiny([(lamp, dull(1.0, 0.0)), (opposite, mirror(ks))]);
-    let mesh = Mesh::whole(&silver);
-    let matrix = Analytic::new(&silver, &mesh, 1e-9, 0).matrix(&|| ());
-    let enclosure = Enclosure::of(&silver, &mesh);
-    let step = GaussSeidel::new(&enclosure, &matrix).next().unwrap();
-    let f = 0.199_824_895_698_387;
-    let really = (1.0 - ks) * f; // of the lamp's 1 W the mirror gets f
-    let gap = step.ledger.absorbed.x - really;
-    assert!((gap - ks * f).abs() < 1e-8, "{gap}");
+    // A lamp of 1 W before a mirror, both unit squares: of the lamp's light the mirror
+    // gets F and takes (1 − Ks) F.
+    let sweep = booked_as_absorbed();
+    for [ks, really] in &sweep.theory {
+        let gap = sweep.at(*ks) - really;
+        assert!((gap - 100.0 * ks * FACING).abs() < 1e-6, "{ks}: {gap}");
+    }
 }
 
-/// Row 73: between two mirrors that glow and keep the share r, a recursion of depth d sees
-/// the first d + 1 terms of a geometric series; paths, which end by chance, see all of it.
+/// Row 73: between two mirrors that glow and keep the share r, a recursion of depth d
+/// sees the first d + 1 terms of a geometric series; paths, which end by chance, see
+/// all of it.
 #[test]
 fn row_73_recursion_is_cut_at_its_depth() {
     let mut met = 0;
@@ -143,17 +146,7 @@ fn row_73_recursion_is_cut_at_its_depth() {
         let number = |v: &serde_json::Value| v.as_f64().unwrap();
         let r = number(&case["params"]["r"]);
         let depth = number(&case["params"]["depth"]) as u32;
-        let mut glowing = mirror(r);
-        glowing.emission = Rgb::splat(PI);
-        let low = rectangle(DVec3::ZERO, DVec3::X, DVec3::Y);
-        let high = rectangle(DVec3::Z, DVec3::Y, DVec3::X);
-        let scene = shiny([(low, glowing), (high, glowing)]);
-        let mesh = Mesh::whole(&scene);
-        let glow = vec![Rgb::splat(PI); mesh.vertices.len()];
-        let options =
-            Options { limits: Limits { depth, weight: 0.0 }, ..Options::default() };
-        let ray = Ray { origin: dvec3(0.4, 0.3, 0.5), direction: DVec3::Z };
-        let seen = TwoPass::of(&scene, &mesh, &glow, options).along(&ray).radiance;
+        let seen = hall(r, depth).radiance;
         let truncated = number(&case["expected"]["radiance_truncated"]);
         assert!(
             (seen.x - truncated).abs() < 1e-9 * truncated,
@@ -161,6 +154,7 @@ fn row_73_recursion_is_cut_at_its_depth() {
             case["id"]
         );
 
+        let (scene, ray) = (hall_of(r), between());
         let tracer = PathTracer::of(&scene);
         let mut random = Stream::named(73, &[u64::from(depth)]);
         let n = 20_000;
@@ -174,4 +168,15 @@ fn row_73_recursion_is_cut_at_its_depth() {
         met += 1;
     }
     assert_eq!(met, 2);
+    let sweep = cut_at_a_depth();
+    for [depth, right] in &sweep.theory {
+        let half = 100.0 * 0.5_f64.powf(depth + 1.0);
+        for (method, right) in [(0, *right), (1, half), (2, *right)] {
+            let got = sweep.by(method, *depth);
+            assert!(
+                (got - right).abs() < 1e-9 * right + 1e-12,
+                "{depth}: {got} {right}"
+            );
+        }
+    }
 }

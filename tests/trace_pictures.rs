@@ -12,7 +12,7 @@ use common::rooms::{box_walls, moved, rectangle};
 use glam::{DVec3, dvec3};
 use picture::assert_picture;
 use radiosity::film::Shot;
-use radiosity::geometry::{Polygon, Ray, Rgb};
+use radiosity::geometry::{Ray, Rgb};
 use radiosity::material::{Coefficients, Shine};
 use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
@@ -96,69 +96,6 @@ fn the_second_pass_shows_what_paths_find() {
         all.push((k, got, (of_paths + of_passes + cut * cut).sqrt(), right));
     }
     by_chance(&all);
-}
-
-/// Final gathering finds what is stored, where that is right: here a field that is, on
-/// every wall, the light of all others; and next to a corner no ray counts more than
-/// others do (failure 72).
-#[test]
-fn final_gathering_makes_no_sparks() {
-    let scene = built_in("furnace").unwrap();
-    let mesh = Mesh::uniform(&scene, 0.5);
-    let b = vec![Rgb::splat(2.0); mesh.vertices.len()];
-    let options = Options { gather: 16, ..Options::default() };
-    let two = TwoPass::of(&scene, &mesh, &b, options);
-    let right = 2.0 / std::f64::consts::PI;
-    for off in [0.3, 1e-3, 1e-6] {
-        let corner = dvec3(off, off, 0.0);
-        let eye = dvec3(0.5, 0.4, 0.6);
-        let ray = Ray { origin: eye, direction: (corner - eye).normalize() };
-        let got = two.along(&ray).radiance.x;
-        assert!((got / right - 1.0).abs() < 1e-9, "{off}: {got}");
-    }
-    // Drawn by area, the neighbour's points count cosθ cosθ' A/(π r²): sparks.
-    let mut random = Stream::named(72, &[]);
-    let x = dvec3(1e-3, 0.5, 0.0);
-    let counts = (0..10_000).map(|_| {
-        let y = dvec3(0.0, random.next(), random.next());
-        let r = y - x;
-        r.z * x.x / (std::f64::consts::PI * r.length_squared().powi(2))
-    });
-    let counts: Vec<f64> = counts.collect();
-    let mean = counts.iter().sum::<f64>() / 1e4;
-    let largest = counts.iter().fold(0.0_f64, |m, &c| m.max(c));
-    assert!((0.2..0.9).contains(&mean), "{mean}");
-    assert!(largest > 300.0, "{largest}");
-}
-
-/// A gloss lit by many lamps, found by rays: the spread falls with their number, and
-/// faster than one over it, since they are spread evenly (failure 70).
-#[test]
-fn the_noise_of_gloss_falls_with_the_rays() {
-    let lamp = |k: usize| {
-        let at = dvec3(0.2 * (k % 6) as f64 - 0.6, 0.2 * (k / 6) as f64 - 0.6, 1.0);
-        (rectangle(at, 0.1 * DVec3::Y, 0.1 * DVec3::X), dull(10.0, 0.0))
-    };
-    let gloss = Shine::Gloss { reflectance: Rgb::splat(0.9), exponent: 20.0 };
-    let plate: Polygon =
-        rectangle(dvec3(-1.0, -1.0, 0.0), 2.0 * DVec3::X, 2.0 * DVec3::Y);
-    let scene = shiny((0..36).map(lamp).chain([(plate, shine(gloss))]));
-    let (mesh, b) = solved(&scene);
-    let eye = dvec3(0.3, 0.0, 0.9);
-    let ray = Ray { origin: eye, direction: (dvec3(0.1, 0.0, 0.0) - eye).normalize() };
-    let spread = |rays: usize| {
-        let of = |seed: u64| {
-            let gloss = Gloss { lobe: LobeAs::Stack(4), rays };
-            let options = Options { gloss, seed, ..Options::default() };
-            TwoPass::of(&scene, &mesh, &b, options).along(&ray).radiance.x
-        };
-        let all: Vec<f64> = (0..300).map(of).collect();
-        let mean = all.iter().sum::<f64>() / 300.0;
-        (mean, all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / 299.0)
-    };
-    let [few, some, many] = [1, 8, 64].map(spread);
-    assert!((few.0 / many.0 - 1.0).abs() < 0.2, "{few:?} {many:?}");
-    assert!(few.1 / some.1 > 6.0 && some.1 / many.1 > 8.0, "{few:?} {some:?} {many:?}");
 }
 
 /// Same bytes at any number of threads.

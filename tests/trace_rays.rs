@@ -3,7 +3,7 @@
 mod common;
 
 use common::cases;
-use common::paths::{dull, glass, mirror, pane, shine, shiny};
+use common::paths::{dull, glass, glow, mirror, pane, shine, shiny};
 use common::rooms::{box_walls, moved, rectangle};
 use glam::{DVec3, dvec3};
 use radiosity::geometry::{Polygon, Ray, Rgb};
@@ -52,12 +52,6 @@ fn directions(count: usize) -> Vec<DVec3> {
     let mut point =
         || 2.0 * dvec3(random.next(), random.next(), random.next()) - DVec3::ONE;
     (0..count).map(|_| point().normalize()).collect()
-}
-
-/// A cube of side 6 about the origin whose walls glow with radiance 1.
-fn glow() -> impl Iterator<Item = (Polygon, Coefficients)> {
-    let wall = |p: Polygon| moved(&p, |v| v - DVec3::splat(3.0));
-    box_walls([6.0; 3]).into_iter().map(move |p| (wall(p), dull(PI, 0.0)))
 }
 
 /// A room with one wall a perfect mirror shows what the doubled room shows.

@@ -305,7 +305,7 @@ pub const ROWS: [Row; 23] = [
             page: "light-from-the-sky.md",
             module: "src/sky",
             figure: "pictures/sky-court-2.snap.png",
-            test: ("tests/stability_sky.rs", "a_sun_in_one_texel"),
+            test: ("tests/stability_sky.rs", "row_75_a_sun_in_one_texel"),
             lab: Some("labs/sky.md"),
         }),
     },

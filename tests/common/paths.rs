@@ -1,5 +1,6 @@
 //! Scenes that shine, and how far a sampled number may be from the right one.
 
+use super::rooms::{box_walls, moved};
 use glam::{DVec3, dvec3};
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::material::{Coefficients, Material, Shine};
@@ -45,6 +46,12 @@ pub fn shiny(faces: impl IntoIterator<Item = (Polygon, Coefficients)>) -> Scene 
         outlines.push(Face { outline: polygon.vertices().to_vec(), material });
     }
     Scene::assemble("test", materials, outlines, None).unwrap().0
+}
+
+/// A cube about the origin whose walls glow with radiance 1 and reflect nothing.
+pub fn glow() -> impl Iterator<Item = (Polygon, Coefficients)> {
+    let wall = |p: Polygon| moved(&p, |v| v - DVec3::splat(3.0));
+    box_walls([6.0; 3]).into_iter().map(move |p| (wall(p), dull(PI, 0.0)))
 }
 
 /// A camera at `eye` that looks at `target`.

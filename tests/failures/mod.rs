@@ -3,9 +3,9 @@
 //! fail* draws them; both call the same functions, so that what is shown is what is
 //! tested.
 //!
-//! The wrong methods live here and not in the crate: the crate has what works. A test that
-//! has these modules takes its [`rooms`], [`shapes`], [`paths`] and [`mirrored`] from
-//! here, too.
+//! The wrong methods live here and not in the crate: the crate has what works. A test
+//! that has these modules takes its [`rooms`], [`shapes`], [`paths`] and [`mirrored`]
+//! from here, too.
 #![allow(dead_code)] // each test uses its part
 
 pub mod display;
@@ -17,6 +17,7 @@ pub mod meshing;
 #[allow(clippy::duplicate_mod)]
 #[path = "../common/mirrored.rs"]
 pub mod mirrored;
+pub mod mirrors;
 pub mod outlines;
 pub mod pairs;
 pub mod passes;
@@ -24,12 +25,14 @@ pub mod passes;
 #[path = "../common/paths.rs"]
 pub mod paths;
 pub mod raster;
+pub mod rays;
 #[allow(clippy::duplicate_mod)]
 #[path = "../common/rooms.rs"]
 pub mod rooms;
 #[allow(clippy::duplicate_mod)]
 #[path = "../common/shapes.rs"]
 pub mod shapes;
+pub mod skies;
 pub mod solver;
 pub mod visibility;
 
@@ -141,8 +144,13 @@ pub fn rows() -> Vec<Row> {
         visibility::ROWS,
         meshing::ROWS,
         solver::ROWS,
+        mirrors::ROWS,
         passes::ROWS,
+        rays::ROWS,
+        skies::ROWS,
         display::ROWS,
     ];
-    families.concat()
+    let mut rows = families.concat();
+    rows.sort_by_key(|row| row.number);
+    rows
 }

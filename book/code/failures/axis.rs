@@ -113,7 +113,7 @@ fn decades(low: f64, high: f64) -> Vec<f64> {
 
 /// A number as a tick tells it: short.
 pub fn number(v: f64) -> String {
-    let size = v.abs();
+    let (v, size) = (v + 0.0, v.abs()); // no −0
     if v == 0.0 || (1e-3 * (1.0 - 1e-9)..1e5).contains(&size) {
         let digits =
             if v == 0.0 { 0 } else { (3.0 - size.log10().floor()).max(0.0) as usize };

@@ -1,9 +1,10 @@
-//! Pinned failures of meshing, row by row of the table of failures.
-//! (Rows 36 to 38, 40, 41 and 43: `stability_display.rs`; row 39 also: `mesh_split.rs`.)
+//! Pinned failures of meshing, row by row of the table of failures. (Rows 36 to 38, 40,
+//! 41 and 46: `stability_display.rs`; 43 to 45: `stability_links.rs`.)
 
-mod common;
+mod failures;
 
-use common::rooms::{box_walls, face_means, rectangle, rows, scene};
+use failures::meshing::fields;
+use failures::rooms::{box_walls, face_means, rectangle, rows, scene, solved_by};
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::FormFactors;
 use radiosity::form_factor::analytic::Analytic;
@@ -29,7 +30,7 @@ fn two_rooms() -> Scene {
 fn shot_on(scene: &Scene, mesh: &Mesh) -> Vec<Rgb> {
     let enclosure = Enclosure::of(scene, mesh);
     let matrix = Analytic::new(scene, mesh, 1e-4, 0).matrix(&|| ());
-    common::rooms::solved_by(
+    solved_by(
         &enclosure,
         Shoot::new(&enclosure, &matrix, Brightest::ByPower),
         1e-4,
@@ -68,10 +69,10 @@ fn row_35_light_leaks_under_walls() {
     }
 }
 
-/// Row 39: where a corner of one element lies on an edge of another, rounding leaves a crack
-/// no wider than itself - and a cell whose centre falls into it shows nothing. In the L-shaped
-/// room, whose pieces are meshed each by itself, a hemicube in ten has such a hole, one cell
-/// of thousands; in a cube, where corners meet corners, none has.
+/// Row 39: where a corner of one element lies on an edge of another, rounding leaves a
+/// crack no wider than itself - and a cell whose centre falls into it shows nothing. In
+/// the L-shaped room, whose pieces are meshed each by itself, a hemicube in ten has
+/// such a hole, one cell of thousands; in a cube, where corners meet corners, none has.
 #[test]
 fn row_39_t_vertices_leave_holes() {
     let holes = |name: &str, resolution: u32| {
@@ -92,8 +93,34 @@ fn row_39_t_vertices_leave_holes() {
     }
 }
 
+/// Row 39: where two small elements meet a large one, the T-vertex is shown as the
+/// large one's edge has it; with a value of its own it would jump by h² B''/8.
+#[test]
+fn row_39_t_vertices_tear_the_field_unless_they_are_anchored() {
+    let sweep = fields::torn();
+    for &[h, expected] in &sweep.theory {
+        assert!((sweep.at(h) - expected).abs() < 1e-12, "{h}: {}", sweep.at(h));
+        assert!(sweep.by(1, h) < 1e-14, "{h}: {}", sweep.by(1, h));
+    }
+    assert_eq!(sweep.at(0.5), 0.0625);
+    let (mesh, [_, anchored]) = fields::split_corner(0.5);
+    assert_eq!(mesh.t_vertices().count(), 2);
+    // From both sides of the edge, the anchored field is one.
+    let at = |x: f64, y: f64, side: DVec3| {
+        let p = dvec3(x, y, 0.0);
+        let holds = |e: &&radiosity::mesh::Element| e.polygon.contains(p + side, 0.0);
+        let element = mesh.elements.iter().find(holds).unwrap();
+        mesh.value_at(element, p, &anchored).x
+    };
+    for k in 0..=20 {
+        let y = 0.5 * k as f64 / 20.0 * 0.999 + 1e-4;
+        let step = dvec3(1e-9, 0.0, 0.0);
+        assert!((at(0.5, y, -step) - at(0.5, y, step)).abs() < 1e-12);
+    }
+}
+
 /// Row 42: at an edge of a cube three walls of three brightnesses meet; none takes from
-/// the others.
+/// the others. Over the edge it would be half of the step.
 #[test]
 fn row_42_no_mean_over_a_corner() {
     let scene = scene(box_walls([1.0; 3]).map(|wall| (wall, 0.0, 0.5)));
@@ -109,4 +136,9 @@ fn row_42_no_mean_over_a_corner() {
     }
     // One material all over, and yet no vertex is shared between walls: 6 × 5 × 5.
     assert_eq!(mesh.vertices.len(), 150);
+    let sweep = fields::over_the_corner();
+    for &[top, expected] in &sweep.theory {
+        assert!((sweep.at(top) - expected).abs() < 1e-14, "{top}");
+        assert!(sweep.by(1, top) < 1e-14, "{top}");
+    }
 }

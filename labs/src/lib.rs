@@ -46,6 +46,7 @@ pub mod mirror_world;
 pub mod window;
 pub mod cone;
 pub mod sky;
+pub mod break_it;
 
 pub use check::{Bug, Verdict};
 pub use lab::{Lab, Who};
@@ -66,4 +67,5 @@ pub const LABS: &[&Lab] = &[
     &window::LAB,
     &cone::LAB,
     &sky::LAB,
+    &break_it::LAB,
 ];

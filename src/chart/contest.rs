@@ -145,7 +145,6 @@ impl<'a, A> Contest<'a, A> {
         trials
     }
 
-    // ANCHOR: trial
     fn trial(
         &self,
         suite: &str,
@@ -155,6 +154,7 @@ impl<'a, A> Contest<'a, A> {
     ) -> Trial {
         let runs = if m.random { RANDOM_RUNS } else { RUNS };
         let (mut times, mut squares, mut last) = (vec![], 0.0, None);
+        // ANCHOR: trial
         while (times.len() as u64) < runs && times.iter().sum::<f64>() <= ENOUGH {
             let seed = if m.random { times.len() as u64 } else { 0 };
             let ((answer, work), seconds, memory) =

@@ -2,6 +2,7 @@
 #![allow(missing_docs)]
 
 mod answers;
+mod chart;
 mod files;
 mod interrupted;
 mod methods;

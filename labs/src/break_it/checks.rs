@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! |foretold − measured| ≤ 20 % of measured             of a failure that was measured
-//! |missed − wanted| ≤ 0.03            3 standard deviations of a share of 3000 places
+//! |missed − wanted| ≤ 0.03            3 deviations of 3000 places, and they are spread evenly
 //! ```
 
 use super::Work;
@@ -98,8 +98,8 @@ fn drawn(stream: &mut Stream) -> (u32, f64) {
     (cells, uniform(stream, 0.55, 0.65))
 }
 
-/// How many places the lamp is put at.
-const PLACES: usize = 3000;
+/// The lamp is put at so many places squared.
+const ROWS: usize = 55;
 
 fn hidden(work: &Work, stream: &mut Stream) -> Verdict {
     let (cells, wanted) = drawn(stream);
@@ -107,7 +107,7 @@ fn hidden(work: &Work, stream: &mut Stream) -> Verdict {
     if let Some(strange) = strange("the lamp's side", lamp.side) {
         return strange;
     }
-    let [missed, _] = search(cells, lamp.side.min(1.0), PLACES, stream);
+    let [missed, _] = search(cells, lamp.side.min(1.0), ROWS, stream);
     let seen = 1.0 - wanted;
     let suspects: [Suspect; 3] = [
         (HALF_A_CELL, vec![1.0 - 0.25 * seen]),
@@ -128,7 +128,7 @@ fn hidden_light(work: &Work, stream: &mut Stream) -> Verdict {
     let (cells, missed) = drawn(stream);
     let seen = 1.0 - missed;
     let side = 2.0 / f64::from(cells) * seen.sqrt();
-    let [_, got] = search(cells, side, PLACES, stream);
+    let [_, got] = search(cells, side, ROWS, stream);
     let suspects: [Suspect; 3] = [
         (RIGHT_WHERE_SEEN, vec![1.0]),
         (TOO_DARK, vec![seen]),

@@ -60,14 +60,16 @@ pub fn too_near(distance: f64) -> f64 {
     point_to_point(&low, &high) / exchange(&low, &high, 1e-12) - 1.0
 }
 
-/// Puts a lamp at random places above a hemicube, each time turned otherwise: the share
-/// of places at which it is missed, and how bright it is at the others, over how bright
-/// it should be. NaN when it is seen nowhere.
-pub fn search(cells: u32, side: f64, places: usize, stream: &mut Stream) -> [f64; 2] {
+/// Puts a lamp above a hemicube, at `rows` × `rows` places, each random in its square of
+/// a chessboard of 1 m, and each time turned otherwise: the share of places at which it
+/// is missed, and how bright it is at the others, over how bright it should be. NaN when
+/// it is seen nowhere.
+pub fn search(cells: u32, side: f64, rows: usize, stream: &mut Stream) -> [f64; 2] {
     let floor = rectangle(dvec3(-1e-3, -1e-3, 0.0), DVec3::X * 2e-3, DVec3::Y * 2e-3);
     let mut seen = Vec::new();
-    for _ in 0..places {
-        let [x, y] = [0; 2].map(|_| stream.next() - 0.5);
+    for k in 0..rows * rows {
+        let [x, y] = [k % rows, k / rows]
+            .map(|place| (place as f64 + stream.next()) / rows as f64 - 0.5);
         let (s, c) = (TAU * stream.next()).sin_cos();
         let [a, b] = [dvec3(c, s, 0.0), dvec3(-s, c, 0.0)].map(|edge| side * edge);
         let lamp = rectangle(dvec3(x, y, 1.0) - 0.5 * (a + b), b, a);
@@ -77,7 +79,7 @@ pub fn search(cells: u32, side: f64, places: usize, stream: &mut Stream) -> [f64
             seen.push(found / right);
         }
     }
-    let missed = 1.0 - seen.len() as f64 / places as f64;
+    let missed = 1.0 - seen.len() as f64 / (rows * rows) as f64;
     [missed, seen.iter().sum::<f64>() / seen.len() as f64]
 }
 

@@ -32,7 +32,7 @@ pub fn misses(work: &Work) -> Vec<Found> {
     let of = |missed: &f64| {
         let mut stream = Stream::named(1, &[(1e3 * missed) as u64]);
         let knob = (work.hidden)(32, *missed).side;
-        Found { knob, foretold: *missed, found: search(32, knob, 2000, &mut stream)[0] }
+        Found { knob, foretold: *missed, found: search(32, knob, 45, &mut stream)[0] }
     };
     [0.1, 0.3, 0.5, 0.7, 0.9].iter().map(of).collect()
 }

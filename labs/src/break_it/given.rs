@@ -35,8 +35,8 @@ pub struct Near {
 pub struct Hidden {
     /// Its side, in m.
     pub side: f64,
-    /// Where it is seen all the same: its factor in the hemicube over the right one, in
-    /// the mean over these places.
+    /// Its factor in the hemicube over the right one: the mean of all places where
+    /// it is seen.
     pub brightness: f64,
 }
 // ANCHOR_END: hidden

@@ -54,7 +54,7 @@ pub const ROWS: &[Row] = &[
               it.",
         size: "A spot of light of 0.1 m is missed by elements of 1 m, 0.5 m and 0.125 \
                m: all of it; those of 0.25 m make it 6.25 times as much. It is right \
-               in the mean over all grids, and on none.",
+               in the mean over all grids, and seldom on one.",
         remedy: "Means over elements instead of places, and shafts that tell where \
                  something may hide.",
         tests: &["stability_display::row_38_a_spot_between_the_places_is_not_there"],

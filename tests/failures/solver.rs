@@ -93,8 +93,7 @@ pub const ROWS: &[Row] = &[
         name: "A sweep depends on the order",
         why: "Gauss–Seidel takes the newest values, and which are new depends on who \
               comes first.",
-        size: "8 % of all light after one sweep, gone as ρ²ᵏ: at 200 sweeps below \
-               1e-12.",
+        size: "8 % of all light after one sweep, gone as ρ²ᵏ: below 1e-12 after 64.",
         remedy: "Run to the end, or do not show what is half done.",
         tests: &["stability_solver::row_54_a_sweep_depends_on_the_order"],
         shown: Shown::Curve(sweeps::order),

@@ -90,6 +90,12 @@ impl Builder {
         self.welder.known.get(&self.place(surface, at, middle)).copied()
     }
 
+    /// The quarters of an edge that is no longer than this may be one vertex, in scene
+    /// units.
+    pub(super) fn shortest_divided(&self) -> f64 {
+        8.0 * self.welder.quantum
+    }
+
     fn place(&self, surface: u32, at: DVec3, middle: DVec3) -> Place {
         let (plane, contacts) = self.mesh.planes.of_surface(surface);
         (plane, self.welder.quanta(at), contacts.sides(at, middle))

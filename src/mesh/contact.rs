@@ -1,13 +1,17 @@
-//! Contact lines: where a surface is touched or pierced by another one.
+//! Contact lines: where a surface is touched or pierced by another one, or an edge hovers
+//! just above it.
 //!
 //! An element that lies on both sides of a wall shows the mean of two unrelated lights: a
 //! *light leak* or a *shadow leak*. So elements are cut along contact lines, and vertices
-//! on a contact line belong to one side of it.
+//! on a contact line belong to one side of it. The edges of a box that hovers a hair above
+//! the floor do the same: beneath it is another room, and what changes from one to the other
+//! does so within a few times the gap.
 
 use crate::geometry::{Plane, Polygon, bounds};
 use crate::scene::{MaterialId, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// Surfaces grouped by plane and material, each group with its contact lines.
 #[derive(Debug)]
@@ -29,7 +33,17 @@ struct Contact {
     ends: [DVec3; 2],
     /// Contains the line, at right angles to the surface.
     wall: Plane,
+    /// Nothing is cut off that is narrower than this, in scene units.
+    sliver: f64,
 }
+
+/// An edge hovers when it is nearer than this share of the scene's diagonal, and longer.
+/// What is farther away casts shadows that elements resolve; what is shorter is part of
+/// something round.
+const HOVERS: f64 = 1e-2;
+
+/// What such an edge cuts off is wider than this share of the scene's diagonal.
+const HOVERS_INSIDE: f64 = 1e-4;
 
 impl Planes {
     pub(super) fn of(scene: &Scene) -> Planes {
@@ -55,7 +69,8 @@ impl Planes {
             .map(|s| (&s.polygon, bounds(s.polygon.vertices().iter().copied())))
             .collect();
         let contacts = planes.iter().map(|(plane, own)| {
-            let lines = contact_lines(*plane, own, &others, margin);
+            let near = [HOVERS, HOVERS_INSIDE].map(|share| share * scene.diagonal());
+            let lines = contact_lines(*plane, own, &others, margin, near);
             Contacts { lines, margin }
         });
         Planes { contacts: contacts.collect(), group_of }
@@ -68,35 +83,56 @@ impl Planes {
     }
 }
 
-/// The lines along which `others` meet `plane` inside one of its `own` polygons.
+/// The lines along which `others` meet `plane` inside one of its `own` polygons, or hover
+/// above it, nearer than `near`, farther inside than `sliver`.
 fn contact_lines(
     plane: Plane,
     own: &[&Polygon],
     others: &[(&Polygon, (DVec3, DVec3))],
     margin: f64,
+    [near, sliver]: [f64; 2],
 ) -> Vec<Contact> {
     let mut lines: Vec<Contact> = Vec::new();
     let (low, high) = bounds(own.iter().flat_map(|p| p.vertices().iter().copied()));
     for (other, (from, to)) in others {
-        let apart = from.cmpgt(high + margin).any() || to.cmplt(low - margin).any();
-        let Some(ends) = (!apart).then(|| meets(other, plane, margin)).flatten() else {
+        if from.cmpgt(high + near).any() || to.cmplt(low - near).any() {
             continue;
-        };
-        if own.iter().any(|p| overlap(p, ends, margin) > 10.0 * margin) {
+        }
+        let meets = meets(other, plane, margin).map(|ends| (ends, margin));
+        let hovering = hovering(other, plane, margin..near);
+        let hovering = hovering.map(|ends| (ends, sliver));
+        for (ends, sliver) in meets.into_iter().chain(hovering) {
+            if !own.iter().any(|p| overlap(p, ends, sliver) > 10.0 * sliver) {
+                continue;
+            }
             let across = plane.normal.cross(ends[1] - ends[0]).normalize();
             let wall = Plane::through(ends[0], across);
             let known = |l: &Contact| {
-                ends.iter().all(|&e| l.wall.height(e).abs() <= margin)
+                ends.iter().all(|&e| l.wall.height(e).abs() <= sliver)
                     && l.ends
                         .iter()
-                        .all(|e| ends.iter().any(|f| e.distance(*f) <= margin))
+                        .all(|e| ends.iter().any(|f| e.distance(*f) <= sliver))
             };
             if !lines.iter().any(known) {
-                lines.push(Contact { ends, wall });
+                lines.push(Contact { ends, wall, sliver });
             }
         }
     }
     lines
+}
+
+/// The edges of `polygon` that hover in front of `plane` so near, moved into it.
+fn hovering(
+    polygon: &Polygon,
+    plane: Plane,
+    near: Range<f64>,
+) -> impl Iterator<Item = [DVec3; 2]> {
+    polygon.edges().filter_map(move |(a, b)| {
+        let heights = [plane.height(a), plane.height(b)];
+        let hovers = heights.iter().all(|h| near.contains(h));
+        let [a, b] = [a - heights[0] * plane.normal, b - heights[1] * plane.normal];
+        (hovers && a.distance(b) > near.end).then_some([a, b])
+    })
 }
 
 /// The segment that `polygon` and `plane` have in common, unless it is a point, or all.
@@ -141,7 +177,7 @@ impl Contacts {
         let mut pieces = vec![cell];
         for line in &self.lines {
             let through =
-                |p: &Polygon| overlap(p, line.ends, self.margin) > self.margin;
+                |p: &Polygon| overlap(p, line.ends, line.sliver) > line.sliver;
             pieces = pieces
                 .into_iter()
                 .flat_map(|piece| {

@@ -60,7 +60,9 @@ impl Builder {
             element.polygon.edges().any(|(a, b)| {
                 let there =
                     |t: f64| self.known(surface, a.lerp(b, t), middle).is_some();
-                there(0.5) && (there(0.25) || there(0.75))
+                // Of an edge as short as rounding, all its points are corners.
+                let long = || a.distance(b) > self.shortest_divided();
+                there(0.5) && (there(0.25) || there(0.75)) && long()
             })
         };
         mesh.elements.iter().map(too_long).collect()

@@ -125,8 +125,16 @@ fn gains(passes: &[Pass]) -> bool {
 const POINTS: usize = 1600;
 const RAYS: usize = 256;
 
+/// A larger error may be in more doubt: the square of what noise adds falls with the rays.
+const FEWEST_RAYS: usize = 32;
+
 /// So many times as many are cast when only chance is in doubt.
 const MORE: usize = 4;
+
+/// Rays for a certificate that is to tell whether an error meets the tolerance.
+fn rays_for(tolerance: f64) -> usize {
+    ((RAYS as f64 * 0.01 / tolerance) as usize).clamp(FEWEST_RAYS, RAYS)
+}
 
 fn certified(
     scene: &Scene,
@@ -144,10 +152,11 @@ fn certified(
         certify(scene, &light.mesh, &field, sampling)
     };
     progress("certifying", 0, 1);
-    let mut certificate = with_rays(RAYS);
+    let rays = rays_for(ask.tolerance);
+    let mut certificate = with_rays(rays);
     let likely = certificate.error <= 0.75 * ask.tolerance;
     if likely && certificate.high > ask.tolerance {
-        certificate = with_rays(MORE * RAYS);
+        certificate = with_rays(MORE * rays);
     }
     progress("certifying", 1, 1);
     certificate

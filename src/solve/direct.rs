@@ -48,7 +48,7 @@ fn lamp_far_away(sun: &Sun, scene: &Scene) -> Option<(Polygon, Rgb)> {
 
 /// The emitters of a scene, their images, and what may stand before them.
 pub struct Direct<'a> {
-    emitters: Vec<(&'a Polygon, Rgb)>,
+    pub(super) emitters: Vec<(&'a Polygon, Rgb)>,
     /// Openings to the sky; none when it is also seen elsewhere.
     portals: Vec<Polygon>,
     /// Texels of the sky that are lamps of their own: far away.

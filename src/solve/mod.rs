@@ -36,6 +36,7 @@ pub mod hierarchy;
 mod jacobi;
 mod ledger;
 mod overshoot;
+mod peaks;
 mod portals;
 mod refine;
 mod shoot;

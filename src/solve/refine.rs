@@ -10,8 +10,11 @@
 //! error at a time, until what is left is small enough. Near lamps and at shadow boundaries
 //! this is often, elsewhere never.
 //!
+//! Whoever knows where light may peak names these places, too: a lamp that is smaller and
+//! nearer than the element lights a spot that the usual points would miss.
+//!
 //! **Fails** when something shows at none of these points: a bright spot in the middle of
-//! a quarter.
+//! a quarter, that no lamp is near.
 
 use crate::geometry::Rgb;
 use crate::mesh::{Element, Mesh};
@@ -22,6 +25,9 @@ use std::collections::HashMap;
 
 /// Light at a point of an element, W/m².
 pub(super) type Light<'a> = &'a (dyn Fn(&Element, DVec3) -> Rgb + Sync);
+
+/// Points of an element, each with an area, in scene units squared.
+pub(super) type Peaks<'a> = &'a (dyn Fn(&Element) -> Vec<(DVec3, f64)> + Sync);
 
 /// Where an element is asked for its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +45,8 @@ pub(super) struct Refinement<'a> {
     /// `ρ` of an element.
     pub reflectance: &'a (dyn Fn(&Element) -> Rgb + Sync),
     pub ask: Ask,
+    /// Places in an element, beside the usual, where light may peak; and over what area.
+    pub peaks: Peaks<'a>,
     /// Corners at the rim of a surface are asked this share of an element inside it.
     pub inside: f64,
     /// `‖B − E‖²`, per channel; a channel with 0 does not count.
@@ -51,12 +59,15 @@ pub(super) struct Refinement<'a> {
 
 /// Splitting what makes up most of the error should take away much of it. When what is left
 /// is more than this share of the least so far, so many times in a row, then what is split
-/// is noise, which does not fall.
+/// is noise, which does not fall - or, where light is exact, a spot of which each part that
+/// is found shows more.
 const NO_GAIN: f64 = 0.9;
-const IN_VAIN: usize = 2;
+const IN_VAIN: [usize; 2] = [2, 8];
 
-/// No element is split whose area is a smaller share of the scene's.
+/// No element is split whose area is a smaller share of the scene's, or an edge of which is
+/// a smaller share of the root of that: corners nearer than rounding are one.
 const SMALLEST: f64 = 1e-9;
+const SHORTEST: f64 = 1e-6;
 
 impl Refinement<'_> {
     /// The mesh split until it suffices, and the light at its vertices.
@@ -75,6 +86,7 @@ impl Refinement<'_> {
         let total: f64 = mesh.polygons().map(|p| p.area()).sum();
         self.ask_vertices(&mesh, &mut asked, &mut light);
         let mut known: HashMap<[u32; 3], f64> = HashMap::new();
+        let most_in_vain = IN_VAIN[(self.ask == Ask::All) as usize];
         let (mut least, mut in_vain) = (f64::INFINITY, 0);
         loop {
             let name = |e: &Element| [0, 1, 2].map(|k| e.corners[k].0);
@@ -91,15 +103,22 @@ impl Refinement<'_> {
             let sum: f64 = errors.iter().map(|e| e.0).sum();
             in_vain = if sum > NO_GAIN * least { in_vain + 1 } else { 0 };
             least = sum.min(least);
-            let enough = sum <= self.target * self.target || in_vain == IN_VAIN;
+            let enough = sum <= self.target * self.target || in_vain == most_in_vain;
             if enough || mesh.elements.len() >= self.most {
                 return (mesh, light);
             }
-            errors.retain(|&(_, k)| mesh.elements[k].polygon.area() > SMALLEST * total);
+            let shortest = SHORTEST * total.sqrt();
+            errors.retain(|&(_, k)| {
+                let polygon = &mesh.elements[k].polygon;
+                polygon.area() > SMALLEST * total
+                    && polygon.edges().all(|(a, b)| a.distance(b) > shortest)
+            });
             errors.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
             let mut marks = vec![false; mesh.elements.len()];
             let mut marked = 0.0;
-            for (error, k) in errors {
+            // Each that is split leaves three more, and its neighbours' balance some.
+            let room = (self.most - mesh.elements.len()).div_ceil(3);
+            for (error, k) in errors.into_iter().take(room) {
                 if marked > 0.6 * sum {
                     break;
                 }
@@ -162,7 +181,9 @@ impl Refinement<'_> {
             }
         };
         // ANCHOR_END: simpson
-        let share = polygon.area() * squares / self.scale;
+        let peaks = (self.peaks)(element).into_iter();
+        let peaks = peaks.map(|(at, area)| area.min(polygon.area()) * off(at));
+        let share = (polygon.area() * squares + peaks.sum::<Rgb>()) / self.scale;
         share.to_array().into_iter().filter(|s| s.is_finite()).fold(0.0, f64::max)
     }
 }

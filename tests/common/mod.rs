@@ -4,6 +4,7 @@
 pub mod any;
 pub mod mirrored;
 pub mod paths;
+pub mod random_rooms;
 pub mod rooms;
 pub mod shapes;
 pub mod truth;

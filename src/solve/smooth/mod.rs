@@ -27,7 +27,7 @@ mod onward;
 mod system;
 
 use super::refine::{Ask, Refinement};
-use super::{Direct, Enclosure, Ledger, Progress};
+use super::{Direct, Ledger, Progress};
 use crate::geometry::Rgb;
 use crate::mesh::{Backs, Element, Mesh, Place};
 use crate::scene::Scene;
@@ -120,6 +120,8 @@ pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
         let whole = &light.mesh.elements[whole.0 as usize];
         irradiance[k] += light.mesh.value_at(whole, mesh.vertices[k], &light.on_mesh);
     }
+    // No light is negative: what linear patches undershoot is nearer to the truth at 0.
+    irradiance.iter_mut().for_each(|h| *h = h.max(Rgb::ZERO));
     mesh.anchor(&mut irradiance);
     let mut found = Smooth {
         behind: Backs::of(scene, &mesh).apply(&irradiance),
@@ -157,6 +159,7 @@ impl Lamps<'_> {
             light: &|e, at| on[e.patch.0 as usize].irradiance(at),
             reflectance: &|e| scattered(self.scene, mesh, e),
             ask: Ask::All,
+            peaks: &|e| self.direct.peaks(&e.polygon),
             inside: JUST_INSIDE,
             scale,
             target,
@@ -165,14 +168,21 @@ impl Lamps<'_> {
         .run(mesh.clone())
     }
 
-    /// `‖ρ H_direct‖²` by the centres of the patches.
+    /// `‖ρ H_direct‖²` by the centres of the patches, and by the spots next to lamps.
     fn scale(&self, patches: &Mesh) -> Rgb {
         let reflected = |e: &Element| {
-            let light = self.direct.on(&e.polygon).irradiance(e.polygon.centroid());
-            scattered(self.scene, patches, e) * light
+            let light = self.direct.on(&e.polygon);
+            let centre = e.polygon.centroid();
+            let all = (centre, e.polygon.area());
+            let places = self.direct.peaks(&e.polygon).into_iter().chain([all]);
+            let squares = places.map(|(at, area)| {
+                area * light.irradiance(at.lerp(centre, JUST_INSIDE)).powf(2.0)
+            });
+            scattered(self.scene, patches, e).powf(2.0) * squares.sum::<Rgb>()
         };
-        let light: Vec<Rgb> = patches.elements.par_iter().map(reflected).collect();
-        Enclosure::of(self.scene, patches).norm_squared(light)
+        // In order, so that the sum is the same at any number of threads.
+        let squares: Vec<Rgb> = patches.elements.par_iter().map(reflected).collect();
+        squares.into_iter().sum()
     }
 }
 
@@ -229,6 +239,7 @@ fn reflected_light(
         },
         reflectance: &|e| scattered(scene, patches, e),
         ask: Ask::Centre,
+        peaks: &|_| Vec::new(),
         inside: INSIDE,
         scale,
         target: how.reflected,

@@ -271,6 +271,7 @@ fn row_72_final_gathering_makes_no_sparks() {
         assert!((got / right - 1.0).abs() < 1e-9, "{off}: {got}");
     }
     // Drawn by area, the neighbour's points count cosθ cosθ' A/(π r²): sparks.
+    // ANCHOR: sparks
     let sweep = sparks();
     for [d, bound] in &sweep.theory {
         let (most, ours) = (sweep.at(*d), sweep.by(1, *d));
@@ -278,5 +279,6 @@ fn row_72_final_gathering_makes_no_sparks() {
         // Each of the two ways counts as a part of the whole.
         assert!(ours <= 2.0 + 1e-9, "{d}: {ours}");
     }
+    // ANCHOR_END: sparks
     assert!(sweep.at(0.01) > 800.0 && sweep.at(0.003) > 1000.0);
 }

@@ -48,6 +48,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(crate::second_pass::files());
     files.extend(crate::directional::files());
     files.extend(crate::display::files());
+    files.extend(crate::failures::files());
     files.extend(crate::versus::files());
     files.extend(crate::chart::files());
     let src = root().join("src");

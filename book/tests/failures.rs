@@ -1,28 +1,57 @@
 //! The gallery of failures: complete, asserted, and drawn so that it can be read.
 
-use book::failures::curve::{LETTER, WIDTH};
-use book::failures::sweeps::{Row, Shown, Sweep, rows};
-use book::failures::{ALL, FAMILIES, curves};
+use book::failures::curve::{self, LETTER, WIDTH};
+use book::failures::rows::{Row, Shown, Sweep, rows};
+use book::failures::symptoms::SYMPTOMS;
+use book::failures::{ALL, FAMILIES, Family, sweeps};
 use book::generated::root;
+use std::collections::BTreeSet;
 use std::fs;
+use std::sync::LazyLock;
 
 fn all_fit(faults: &[String]) {
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }
 
-fn sweeps() -> impl Iterator<Item = (Row, Sweep)> {
-    rows().into_iter().filter_map(|row| match row.shown {
-        Shown::Curve(sweep) => Some((row, sweep())),
-        _ => None,
-    })
+/// All curves, computed once.
+static SWEEPS: LazyLock<Vec<(Row, Sweep)>> = LazyLock::new(sweeps);
+
+#[test]
+fn every_row_is_there_once_in_its_family() {
+    let numbers: Vec<u8> = rows().iter().map(|row| row.number).collect();
+    let all: Vec<u8> = (1..=ALL).collect();
+    assert_eq!(numbers, all);
+    let families: Vec<u8> = FAMILIES.iter().flat_map(|f| f.rows.clone()).collect();
+    assert_eq!(families, all);
+    let src = root().join("src");
+    let shown = |family: &Family| {
+        let text = fs::read_to_string(src.join(format!("{}.md", family.page))).unwrap();
+        text.contains(&format!("{{{{#include generated/{}.md}}}}", family.page))
+    };
+    assert!(FAMILIES.iter().all(shown));
 }
 
 #[test]
-fn every_row_is_there_once_and_in_its_family() {
-    let numbers: Vec<u8> = rows().iter().map(|row| row.number).collect();
-    assert!(numbers.is_sorted_by(|a, b| a < b), "{numbers:?}");
-    let families: Vec<u8> = FAMILIES.iter().flat_map(|f| f.rows.clone()).collect();
-    assert_eq!(families, (1..=ALL).collect::<Vec<_>>());
+fn rows_are_asserted_or_say_why_not() {
+    let asserted = rows().iter().filter(|row| !row.tests.is_empty()).count();
+    assert!(asserted >= 70, "{asserted}");
+    let silent = |row: &&Row| {
+        row.tests.is_empty()
+            && !matches!(row.shown, Shown::Nothing(why) if !why.is_empty())
+    };
+    let fault = |row: Row| format!("row {}: no test, and no reason", row.number);
+    all_fit(
+        &rows().into_iter().filter(|row| silent(&row)).map(fault).collect::<Vec<_>>(),
+    );
+}
+
+#[test]
+fn every_row_is_suspected_of_something() {
+    let suspects: BTreeSet<u8> =
+        SYMPTOMS.iter().flat_map(|s| s.rows).copied().collect();
+    let all: BTreeSet<u8> = (1..=ALL).collect();
+    let [missing, unknown] = [&all - &suspects, &suspects - &all];
+    assert!(missing.is_empty() && unknown.is_empty(), "{missing:?} {unknown:?}");
 }
 
 #[test]
@@ -66,7 +95,7 @@ fn every_picture_exists_and_rows_without_one_say_why() {
 #[test]
 fn curves_have_numbers() {
     let mut faults = vec![];
-    for (row, sweep) in sweeps() {
+    for (row, sweep) in SWEEPS.iter() {
         let mut fault = |what: &str| faults.push(format!("row {}: {what}", row.number));
         let points: Vec<[f64; 2]> =
             sweep.found.iter().flat_map(|f| f.points.clone()).collect();
@@ -120,7 +149,8 @@ fn boxes(svg: &str) -> Vec<([f64; 3], String)> {
 fn texts_of_curves_keep_apart() {
     let mut faults = vec![];
     let mut sheet = String::new();
-    for (row, svg) in curves() {
+    for (row, sweep) in SWEEPS.iter() {
+        let (svg, row) = (curve::svg(row, sweep), row.number);
         let texts = boxes(&svg);
         for (k, ([start, end, y], said)) in texts.iter().enumerate() {
             if *start < -1.0 || *end > WIDTH + 8.0 {

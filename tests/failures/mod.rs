@@ -69,12 +69,11 @@ pub enum Shown {
 /// A failure as a curve.
 #[derive(Clone, Debug)]
 pub struct Sweep {
+    // ANCHOR: sweep
     /// What is turned, and its unit: "distance / side".
     pub knob: &'static str,
     /// What is watched, and its unit: "error of F, %".
     pub quantity: &'static str,
-    /// Is the knob's axis logarithmic? Is the quantity's?
-    pub logarithmic: [bool; 2],
     /// What was found: knob and quantity, a line for each method, at most four.
     pub found: Vec<Found>,
     /// Where theory says it lies: a closed form, a law, an exact value; may be the
@@ -82,6 +81,9 @@ pub struct Sweep {
     pub theory: Vec<[f64; 2]>,
     /// What the theory is: "|F − F*|, Lambert's exact".
     pub law: &'static str,
+    // ANCHOR_END: sweep
+    /// Is the knob's axis logarithmic? Is the quantity's?
+    pub logarithmic: [bool; 2],
 }
 
 /// What one method gave.

@@ -217,6 +217,7 @@ pub fn reflected_and_passed() -> Sweep {
 /// Row 72: the largest of 20 000 samples of a wall, seen from the floor so far from it.
 pub fn sparks() -> Sweep {
     let distances = [0.003, 0.01, 0.03, 0.1, 0.3];
+    // ANCHOR: by_area
     let by_area = |d: f64| {
         let mut random = Stream::named(72, &[(1e6 * d) as u64]);
         let x = dvec3(d, 0.5, 0.0);
@@ -226,6 +227,7 @@ pub fn sparks() -> Sweep {
         };
         (0..20_000).fold(0.0, largest)
     };
+    // ANCHOR_END: by_area
     let ours = |d: f64| {
         let wall = rectangle(DVec3::ZERO, DVec3::Y, DVec3::Z);
         let floor = rectangle(DVec3::ZERO, DVec3::X, DVec3::Y);
@@ -246,7 +248,9 @@ pub fn sparks() -> Sweep {
             Found::over("points drawn by area", &distances, by_area),
             Found::over("ours: both chances weighed", &distances, ours),
         ],
+        // ANCHOR: law
         theory: curve(&distances, |d| 9.0 / (16.0 * 3f64.sqrt() * PI) / (d * d)),
         law: "9/(16√3 π d²), the largest there can be",
+        // ANCHOR_END: law
     }
 }

@@ -4,7 +4,7 @@
 //! All names stand below, so that none runs over a curve.
 
 use super::axis::{Axis, number};
-use super::sweeps::Sweep;
+use super::rows::{Row, Sweep};
 use std::fmt::Write;
 
 /// Width of the picture, and how wide a letter is at most on the average, in pixels.
@@ -24,8 +24,9 @@ const APART: f64 = 9.0;
 /// Mid-tones that stand out on white and on navy, and apart for the colour-blind.
 const COLOURS: [&str; 4] = ["#d55e00", "#3b8fd0", "#00a078", "#b765a0"];
 
-/// The curve of row `number`, called `name`.
-pub fn svg(row: u8, name: &str, sweep: &Sweep) -> String {
+/// The curve of a row.
+pub fn svg(row: &Row, sweep: &Sweep) -> String {
+    let (row, name) = (row.number, row.name);
     let mut sheet = Sheet::of(sweep);
     sheet.axes(sweep);
     for (k, found) in sweep.found.iter().enumerate() {

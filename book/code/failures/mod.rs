@@ -1,24 +1,28 @@
 //! The gallery of failures: every row of the table with its curve or picture.
 //!
-//! | module    | holds                                                  |
-//! |-----------|--------------------------------------------------------|
-//! | [`sweeps`] | the rows and their curves, shared with the crate's tests |
-//! | [`axis`]  | where a value lies, and which values are told           |
-//! | [`curve`] | a curve as SVG                                          |
-//! | [`page`]  | rows, families and the table of all of them as Markdown |
+//! | module       | holds                                                    |
+//! |--------------|----------------------------------------------------------|
+//! | [`rows`]     | the rows and their curves, shared with the crate's tests |
+//! | [`axis`]     | where a value lies, and which values are told            |
+//! | [`curve`]    | a curve as SVG                                           |
+//! | [`page`]     | rows, families and the table of all of them as Markdown  |
+//! | [`symptoms`] | what to suspect first                                    |
+//! | [`ledger`]   | a ledger that shows a failure                            |
 
 // The tests of the crate and this page call the same functions.
 #[path = "../../../tests/failures/mod.rs"]
 #[allow(missing_docs)]
-pub mod sweeps;
+pub mod rows;
 
 pub mod axis;
 pub mod curve;
+pub mod ledger;
 pub mod page;
+pub mod symptoms;
 
 use rayon::prelude::*;
+use rows::{Row, Shown, Sweep, rows};
 use std::ops::RangeInclusive;
-use sweeps::{Row, Shown, rows};
 
 /// How many rows the table of failures has.
 pub const ALL: u8 = 82;
@@ -59,24 +63,32 @@ impl Family {
     }
 }
 
-/// Number and drawing of every row that is shown by a curve.
-pub fn curves() -> Vec<(u8, String)> {
-    let draw = |row: Row| match row.shown {
-        Shown::Curve(sweep) => {
-            Some((row.number, curve::svg(row.number, row.name, &sweep())))
-        }
+/// All rows that have a curve, with it.
+pub fn sweeps() -> Vec<(Row, Sweep)> {
+    let sweep = |row: Row| match row.shown {
+        Shown::Curve(sweep) => Some((row, sweep())),
         _ => None,
     };
-    rows().into_par_iter().filter_map(draw).collect()
+    rows().into_par_iter().filter_map(sweep).collect()
 }
 
 /// The generated files of the gallery.
 pub fn files() -> Vec<(String, String)> {
-    let picture = |(n, svg)| (format!("generated/failure-{n:02}.svg"), svg);
-    let mut files: Vec<_> = curves().into_iter().map(picture).collect();
+    let picture = |(row, sweep): (Row, Sweep)| {
+        (format!("generated/failure-{:02}.svg", row.number), curve::svg(&row, &sweep))
+    };
+    let mut files: Vec<_> = sweeps().into_iter().map(picture).collect();
     for family in &FAMILIES {
         files.push((format!("generated/{}.md", family.page), page::family(family)));
     }
-    files.push(("generated/failures-table.md".into(), page::table()));
+    let written = [
+        ("table", page::table()),
+        ("count", page::count()),
+        ("symptoms", symptoms::table()),
+        ("ledger", ledger::markdown()),
+    ];
+    for (name, text) in written {
+        files.push((format!("generated/failures-{name}.md"), text));
+    }
     files
 }

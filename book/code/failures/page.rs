@@ -1,7 +1,8 @@
 //! Rows, families and the table of failures as Markdown.
 
-use super::sweeps::{Row, Shown, rows};
+use super::rows::{Row, Shown, rows};
 use super::{FAMILIES, Family};
+use std::collections::BTreeSet;
 
 /// All rows of a family, one card after the other.
 pub fn family(family: &Family) -> String {
@@ -57,7 +58,7 @@ pub fn table() -> String {
         let tests: Vec<String> =
             row.tests.iter().map(|test| format!("`{test}`")).collect();
         let shown = match row.shown {
-            Shown::Curve(_) => "curve".into(),
+            Shown::Curve(_) => format!("[curve]({page}.md#row-{number:02})"),
             Shown::Picture(..) => "picture".into(),
             Shown::Nothing(why) => format!("left out: {}", plain(why)),
         };
@@ -69,8 +70,29 @@ pub fn table() -> String {
     text
 }
 
+/// How many rows there are, are asserted and are drawn, in a sentence.
+pub fn count() -> String {
+    let all = rows();
+    let asserted = all.iter().filter(|row| !row.tests.is_empty()).count();
+    let curves = all.iter().filter(|r| matches!(r.shown, Shown::Curve(_))).count();
+    let pictures = all.iter().filter(|r| matches!(r.shown, Shown::Picture(..))).count();
+    let tests: BTreeSet<&str> = all.iter().flat_map(|row| row.tests).copied().collect();
+    let drawn = match pictures {
+        0 => format!("{curves} are drawn as curves"),
+        _ => format!("{curves} are drawn as curves and {pictures} as pictures"),
+    };
+    let files: BTreeSet<&str> =
+        tests.iter().filter_map(|t| Some(t.split_once("::")?.0)).collect();
+    format!(
+        "Of {} rows {asserted} are asserted, by {} tests in {} files; {drawn}.\n",
+        all.len(),
+        tests.len(),
+        files.len()
+    )
+}
+
 /// A sentence as Markdown takes it: what is less than something opens no tag.
-fn plain(text: &str) -> String {
+pub fn plain(text: &str) -> String {
     let part = |(k, part): (usize, &str)| match k % 2 {
         0 => part.replace('<', "&lt;").replace('*', "\\*"),
         _ => format!("`{part}`"),

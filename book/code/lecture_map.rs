@@ -293,7 +293,10 @@ pub const ROWS: [Row; 23] = [
             page: "the-second-pass.md",
             module: "src/trace/cone.rs",
             figure: "pictures/second-pass-gloss-1.snap.png",
-            test: ("tests/trace_cone.rs", "a_lamp_half_in_the_cone_counts_half"),
+            test: (
+                "tests/stability_rays.rs",
+                "row_70_a_lamp_half_in_the_cone_counts_half",
+            ),
             lab: Some("labs/cone.md"),
         }),
     },

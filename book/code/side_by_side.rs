@@ -1,7 +1,8 @@
 //! The figures and numbers of the chapter *Side by side*.
 
-use crate::{ledger, map};
-use radiosity::chart::{Comparison, Effort, Panel};
+use crate::{chart, ledger, map};
+use radiosity::chart::suites::pictures::{CORNELL, MIRROR, PANE};
+use radiosity::chart::{Comparison, Effort, Panel, Trial};
 use radiosity::film::{FalseColour, RgbImage, Shot};
 use radiosity::scene::built_in;
 use std::fmt::Write;
@@ -14,8 +15,17 @@ pub const SCENE: &str = "cornell-mirror";
 pub const METHODS: [&str; 5] =
     ["classical-radiosity", "ray-tracing", "radiosity", "two-pass", "reference"];
 
-/// What `radiosity compare` wrote for each of some scenes, one below the other.
-const RECORD: &str = include_str!("../data/side-by-side-2026-11-22.csv");
+/// What `radiosity chart pictures -o book/data` wrote.
+const RECORD: &str = include_str!("../data/pictures.csv");
+
+/// The methods of the table, each at its setting.
+const ROWS: [(&str, f64); 5] = [
+    ("classical radiosity", 0.02),
+    ("ray tracing", 4.0),
+    ("radiosity", 0.02),
+    ("two passes", 0.02),
+    ("paths", 64.0),
+];
 
 /// Pixels along an edge of a picture, and random paths through each of the reference.
 const SIZE: u32 = 160;
@@ -87,33 +97,29 @@ fn table() -> String {
         "| scene | method | CPU s | error | brightness | paths need, CPU s |\n\
          |---|---|---|---|---|---|\n",
     );
-    let mut scene = "";
-    for line in RECORD.lines() {
-        if let Some((name, _)) =
-            line.strip_prefix("# ").and_then(|rest| rest.split_once(" in "))
-        {
-            scene = name;
+    let trials = chart::trials(RECORD);
+    for scene in [CORNELL, MIRROR, PANE] {
+        let paths = chart::find(&trials, scene, "paths", 64.0);
+        for (method, setting) in ROWS {
+            let fits = |t: &&Trial| {
+                (t.scene.as_str(), t.method.as_str(), t.setting)
+                    == (scene, method, setting)
+            };
+            // Where nothing shines, nothing was dulled.
+            let Some(t) = trials.iter().find(fits) else { continue };
+            let error = match t.error > t.uncertainty {
+                true => format!("{:.1} %", 100.0 * t.error),
+                false => format!("below {:.1} %", 100.0 * t.uncertainty),
+            };
+            let error_told = t.error.max(t.uncertainty);
+            let _ = writeln!(
+                text,
+                "| `{scene}` | {method} | {:.2} | {error} | {:.2} | {:.2} |",
+                t.seconds,
+                1.0 + t.energy.unwrap_or_default(),
+                paths.seconds * (paths.error / error_told).powi(2),
+            );
         }
-        let cells: Vec<&str> = line.split(',').collect();
-        let [method, seconds, _, error, brightness, paths] = cells[..] else {
-            continue;
-        };
-        let number = |cell: &str| cell.parse::<f64>();
-        let (Ok(error), Ok(brightness)) = (number(error), number(brightness)) else {
-            continue; // the names of the columns
-        };
-        let error = match method {
-            "reference" => "-".into(),
-            // What is lost in the noise has no time of random paths beside it.
-            _ if paths.is_empty() => "lost in the noise".into(),
-            _ => format!("{:.1} %", 100.0 * error),
-        };
-        let (name, paths) = (method.replace('-', " "), paths.trim());
-        let paths = if paths.is_empty() { "-" } else { paths };
-        let _ = writeln!(
-            text,
-            "| `{scene}` | {name} | {seconds} | {error} | {brightness:.2} | {paths} |"
-        );
     }
     text
 }

@@ -48,6 +48,7 @@ pub struct Method<'a, A> {
     name: String,
     settings: Vec<f64>,
     random: bool,
+    runs: u64,
     run: Box<dyn Fn(f64, u64) -> (A, Work) + 'a>,
 }
 // ANCHOR_END: method
@@ -64,7 +65,8 @@ impl<'a, A> Method<'a, A> {
             "{name}: a comma would split the table's cell"
         );
         let run = Box::new(run);
-        Method { name: name.into(), settings: settings.into(), random: false, run }
+        let (name, settings) = (name.into(), settings.into());
+        Method { name, settings, random: false, runs: RUNS, run }
     }
 
     /// Gives another answer for each seed: its error is that of many.
@@ -73,7 +75,13 @@ impl<'a, A> Method<'a, A> {
         settings: &[f64],
         run: impl Run<A> + 'a,
     ) -> Method<'a, A> {
-        Method { random: true, ..Method::new(name, settings, run) }
+        Method { random: true, runs: RANDOM_RUNS, ..Method::new(name, settings, run) }
+    }
+
+    /// Is run so often at the most: a method that is wrong seldom, and then by much, is
+    /// to be seen often.
+    pub fn runs(self, runs: u64) -> Method<'a, A> {
+        Method { runs, ..self }
     }
 }
 
@@ -152,10 +160,9 @@ impl<'a, A> Contest<'a, A> {
         setting: f64,
         meter: &dyn Meter,
     ) -> Trial {
-        let runs = if m.random { RANDOM_RUNS } else { RUNS };
         let (mut times, mut squares, mut last) = (vec![], 0.0, None);
         // ANCHOR: trial
-        while (times.len() as u64) < runs && times.iter().sum::<f64>() <= ENOUGH {
+        while (times.len() as u64) < m.runs && times.iter().sum::<f64>() <= ENOUGH {
             let seed = if m.random { times.len() as u64 } else { 0 };
             let ((answer, work), seconds, memory) =
                 timed(&|| (m.run)(setting, seed), meter);

@@ -1,7 +1,8 @@
 //! The figures and numbers of the chapter *How wrong is it?*.
 //!
 //! [`maps`] draws where the error is; [`cube`] is a room whose true error is known, with
-//! [`bounds`] of it and what [`noise`] does to a residual; [`cost`] charts the work.
+//! [`bounds`] of it and what [`noise`] does to a residual; [`cost`] says what was
+//! measured.
 
 pub mod bounds;
 pub mod cost;
@@ -17,7 +18,6 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/how-wrong-noise.md".into(), noise::table()),
         ("generated/how-wrong-bounds.svg".into(), bounds::svg()),
         ("generated/how-wrong-bounds.md".into(), bounds::table()),
-        ("generated/how-wrong-cost.svg".into(), cost::svg()),
         ("generated/how-wrong-cost.md".into(), cost::text()),
         ("generated/how-wrong-ledger.md".into(), maps::ledger()),
     ];

@@ -1,39 +1,46 @@
 //! How patches times bins grow: counts, bytes, time, and what is gained.
 
-use radiosity::chart::{Chart, Line, Mark};
+use crate::chart::trials;
+use radiosity::chart::Trial;
+use radiosity::chart::suites::directional::PATCHES;
 use std::fmt::Write;
 
-/// What `cargo run -p book --bin measure-directional` printed.
-const CSV: &str = include_str!("../../data/directional-2026-11-22.csv");
+/// What `radiosity chart directional -o book/data` wrote.
+const CSV: &str = include_str!("../../data/directional.csv");
 
-/// A line of it.
+/// A run by patches and bins.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Run {
     patches: f64,
-    /// Or paths for each pixel.
     bins: f64,
     unknowns: f64,
     pairs: f64,
     bytes: f64,
-    /// Milliseconds until light can bounce, and for each bounce.
-    before: f64,
-    bounce: f64,
+    /// Until the picture is there.
+    seconds: f64,
     error: f64,
 }
 
-fn runs(method: &str) -> Vec<Run> {
-    let run = |line: &str| {
-        let cells: Vec<f64> =
-            line.split(',').skip(1).map(|c| c.parse().expect("a number")).collect();
-        let [patches, bins, unknowns, pairs, bytes, _, before, bounce, error] =
-            cells[..]
-        else {
-            panic!("a line of the CSV does not fit: {line}");
-        };
-        Run { patches, bins, unknowns, pairs, bytes, before, bounce, error }
+/// All runs by patches and bins.
+fn runs() -> Vec<Run> {
+    let run = |t: &Trial| {
+        let patches = t.method.strip_suffix(PATCHES)?.parse::<f64>().ok()?;
+        Some(Run {
+            patches,
+            bins: t.setting,
+            unknowns: patches * t.setting,
+            pairs: t.work.factors as f64,
+            bytes: t.work.bytes as f64,
+            seconds: t.seconds,
+            error: t.error,
+        })
     };
-    let of_method = CSV.lines().filter(|l| l.split(',').next() == Some(method));
-    of_method.map(run).collect()
+    trials(CSV).iter().filter_map(run).collect()
+}
+
+/// All runs of another method.
+fn others(method: &str) -> Vec<Trial> {
+    trials(CSV).into_iter().filter(|t| t.method == method).collect()
 }
 
 /// Number and unit, to two digits.
@@ -50,9 +57,9 @@ fn bytes(b: f64) -> String {
     round(b, &["B", "kB", "MB", "GB", "TB", "PB"], 1e3)
 }
 
-/// Milliseconds, in words.
-fn time(ms: f64) -> String {
-    match ms {
+/// A time in s, in words.
+fn time(seconds: f64) -> String {
+    match 1e3 * seconds {
         ms if ms < 1e3 => round(ms, &["ms"], 1e3),
         ms if ms < 1.2e5 => round(ms / 1e3, &["s"], 1e3),
         ms if ms < 7.2e6 => round(ms / 6e4, &["min"], 1e3),
@@ -77,10 +84,10 @@ fn count(n: f64) -> String {
 /// What was measured, line by line.
 pub fn table() -> String {
     let mut text = String::from(
-        "| patches | bins | unknowns | pairs | memory | rays | error |\n\
+        "| patches | bins | unknowns | pairs | memory | time | error |\n\
          |---|---|---|---|---|---|---|\n",
     );
-    for run in runs("bins") {
+    for run in runs() {
         let _ = writeln!(
             text,
             "| {} | {} | {} | {} | {} | {} | {:.0}\u{202f}% |",
@@ -89,7 +96,7 @@ pub fn table() -> String {
             count(run.unknowns),
             count(run.pairs),
             bytes(run.bytes),
-            time(run.before),
+            time(run.seconds),
             100.0 * run.error
         );
     }
@@ -111,7 +118,7 @@ fn plane(points: &[[f64; 3]]) -> impl Fn(f64, f64) -> f64 + use<> {
 
 /// A power law of patches and bins through a number of each run that is not tiny.
 fn law(number: fn(&Run) -> f64) -> impl Fn(f64, f64) -> f64 {
-    let runs = runs("bins").into_iter().filter(|r| r.bins > 1.0);
+    let runs = runs().into_iter().filter(|r| r.bins > 1.0);
     let points: Vec<_> =
         runs.map(|r| [r.patches.ln(), r.bins.ln(), number(&r).ln()]).collect();
     let plane = plane(&points);
@@ -125,82 +132,43 @@ fn exponents() -> [f64; 2] {
     [(law(e, 1.0) / law(1.0, 1.0)).ln(), (law(1.0, e) / law(1.0, 1.0)).ln()]
 }
 
-/// Pairs over unknowns, a line for each mesh.
-pub fn svg() -> String {
-    let runs = runs("bins");
-    let line = |of: &[Run]| Line {
-        name: format!("{} patches", of[0].patches),
-        marks: of
-            .iter()
-            .map(|r| Mark { x: r.bins, y: r.bytes, label: String::new() })
-            .collect(),
-    };
-    Chart {
-        title: "Memory of directional radiosity over the number of directions".into(),
-        across: "bins for each patch".into(),
-        upward: "bytes".into(),
-        least: 1.0,
-        lines: runs.chunk_by(|a, b| a.patches == b.patches).map(line).collect(),
-        ..Chart::default()
-    }
-    .svg()
-}
-
-/// Error over time: bins, and paths for the one view.
-pub fn cost_svg() -> String {
-    let bins = runs("bins");
-    let mark = |r: &Run| Mark {
-        x: r.before + 10.0 * r.bounce,
-        y: r.error,
-        label: r.bins.to_string(),
-    };
-    let mut lines: Vec<Line> = bins
-        .chunk_by(|a, b| a.patches == b.patches)
-        .map(|of| Line {
-            name: format!("{} patches", of[0].patches),
-            marks: of.iter().map(mark).collect(),
-        })
-        .collect();
-    // Of these `before` is all the time, and `bounce` a part of it.
-    let alone = |r: &Run| mark(&Run { bounce: 0.0, ..*r });
-    for (name, method) in [("paths", "paths"), ("two passes", "two-pass")] {
-        let marks = runs(method).iter().map(alone).collect();
-        lines.push(Line { name: name.into(), marks });
-    }
-    Chart {
-        title: "Error of the floor in the picture against the time to find it".into(),
-        across: "milliseconds, one thread, ten bounces".into(),
-        upward: "relative error".into(),
-        least: 1e-3,
-        lines,
-        ..Chart::default()
-    }
-    .svg()
-}
-
 /// What the charts say.
 pub fn text() -> String {
-    let bins = runs("bins");
+    let bins = runs();
     let last = bins.last().expect("it was measured");
-    let paths = runs("paths");
-    let passes = runs("two-pass");
+    let (paths, passes) = (others("paths"), others("two passes"));
     let second = passes.first().expect("it was measured");
-    let quick = paths.iter().find(|r| r.error < last.error).expect("paths get there");
+    let quick = paths.iter().find(|t| t.error < last.error).expect("paths get there");
     let [by_patches, by_bins] = exponents();
     format!(
         "Through all runs with more than one bin goes the law pairs ∝ patches^{by_patches:.1} \
          bins^{by_bins:.1}. The finest of them takes {}, holds {}, and shows the floor with an \
          error of {:.0} %. Path tracing shows this one view with {:.0} % after {}: {:.0} \
-         times sooner. Two passes need {}, {} of that for this view, and are {:.1} % off.\n",
-        time(last.before + 10.0 * last.bounce),
+         times sooner. Two passes need {}, and are {:.1} % off.\n",
+        time(last.seconds),
         bytes(last.bytes),
         100.0 * last.error,
         100.0 * quick.error,
-        time(quick.before),
-        (last.before + 10.0 * last.bounce) / quick.before,
-        time(second.before),
-        time(second.bounce),
+        time(quick.seconds),
+        last.seconds / quick.seconds,
+        time(second.seconds),
         100.0 * second.error,
+    )
+}
+
+/// What finer bins gain without finer patches, and with them.
+pub fn steps() -> String {
+    let runs = runs();
+    let find = |patches: f64, bins: f64| {
+        let found = runs.iter().find(|r| r.patches == patches && r.bins == bins);
+        100.0 * found.expect("it was measured").error
+    };
+    format!(
+        "On 28 patches sixteen times the bins bring the error from {:.0} % to {:.0} % only; \
+         with the patches refined as well, to {:.0} %.\n",
+        find(28.0, 16.0),
+        find(28.0, 256.0),
+        find(384.0, 256.0)
     )
 }
 
@@ -208,7 +176,7 @@ pub fn text() -> String {
 /// how many times as much. The error falls as a power of the unknowns; the last two runs of
 /// that kind tell which.
 fn to_one_per_cent() -> f64 {
-    let runs = runs("bins");
+    let runs = runs();
     let find = |n: f64, m: f64| {
         runs.iter().find(|r| r.patches == n && r.bins == m).expect("it was measured")
     };
@@ -225,17 +193,17 @@ pub fn cornell() -> String {
         unknowns: 4000.0 * 1024.0,
         pairs: of(|r| r.pairs),
         bytes: of(|r| r.bytes),
-        before: of(|r| r.before),
+        seconds: of(|r| r.seconds),
         ..Run::default()
     };
-    let all = runs("bins");
+    let all = runs();
     let last = all.last().expect("it was measured");
     let times = to_one_per_cent();
     let more = Run {
         unknowns: times * last.unknowns,
         pairs: times * last.pairs,
         bytes: times * last.bytes,
-        before: times * last.before,
+        seconds: times * last.seconds,
         ..*last
     };
     let mut text = String::from(
@@ -252,7 +220,7 @@ pub fn cornell() -> String {
             run.unknowns,
             run.pairs,
             bytes(run.bytes),
-            time(run.before),
+            time(run.seconds),
         );
     }
     text

@@ -1,6 +1,6 @@
 //! The cube as an eye sees it, and what its floor keeps.
 
-use super::{EXPONENT, Tiny, error, is_floor, scene, shot};
+use super::{EXPONENT, Tiny, floor_pixels, is_floor, scene, shot};
 use crate::ledger;
 use glam::DVec3;
 use radiosity::directional::Directional;
@@ -114,4 +114,18 @@ pub fn ledger() -> String {
     let tiny = Tiny::new(0.25, 4, 256);
     let (_, bounces, account) = tiny.solve();
     format!("{}\nAfter {bounces} bounces.\n", ledger::of(&account))
+}
+
+/// The error of a picture of the floor: root mean square over its pixels, relative to that
+/// of the `truth`.
+fn error(picture: &Picture, truth: &Picture) -> f64 {
+    let (mut off, mut norm) = (0.0, 0.0);
+    let floor = floor_pixels(&shot(1));
+    for ((a, b), _) in
+        picture.pixels.iter().zip(&truth.pixels).zip(floor).filter(|(_, floor)| *floor)
+    {
+        off += (*a - *b).length_squared();
+        norm += b.length_squared();
+    }
+    (off / norm).sqrt()
 }

@@ -2,7 +2,7 @@
 //!
 //! [`shots`] shows one solution in four ways, and what a pixel keeps; [`tears`] looks at
 //! T-vertices, [`straight`] at interpolation in perspective, [`ramp`] at codes and light,
-//! [`exposure`] at what white hides; [`cost`] draws what was measured.
+//! [`exposure`] at what white hides; [`cost`] says what was measured.
 
 pub mod cost;
 pub mod exposure;
@@ -27,7 +27,6 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/picture-holes.md".into(), tears::text()),
         ("generated/picture-ramp.md".into(), ramp::text()),
         ("generated/picture-exposure.md".into(), exposure::table()),
-        ("generated/picture-cost.svg".into(), cost::svg()),
         ("generated/picture-cost.md".into(), cost::text()),
         ("generated/picture-ledger.md".into(), shots::ledger()),
     ]

@@ -2,7 +2,7 @@
 //!
 //! [`views`] traces scenes, [`gloss`] one floor under three lobes; [`profile`] draws the
 //! lobe and the cones that stand for it; [`depth`] counts what a cut leaves out, [`cost`]
-//! charts time and error.
+//! says what was measured.
 
 pub mod cost;
 pub mod depth;
@@ -18,8 +18,9 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/second-pass-profile.svg".into(), profile::svg()),
         ("generated/second-pass-edge.md".into(), profile::markdown()),
         ("generated/second-pass-depth.md".into(), depth::markdown()),
-        ("generated/second-pass-cost.svg".into(), cost::svg()),
         ("generated/second-pass-cost.md".into(), cost::text()),
+        ("generated/second-pass-by-gloss.md".into(), cost::gloss()),
+        ("generated/second-pass-lobe.md".into(), cost::lobe()),
         ("generated/second-pass-ledger.md".into(), views::ledger()),
     ];
     for (k, n) in gloss::EXPONENTS.into_iter().enumerate() {

@@ -1,40 +1,41 @@
-//! The chart of *Light from the sky*, from measurements that are kept with their date.
+//! What the charts of *Light from the sky* say, from measurements that are kept with their
+//! date.
 
-use crate::chart::{self, Point};
+use crate::chart::{find, trials};
+use radiosity::chart::suites::sky::{Draw, OVERCAST, SUNNY};
 
-/// What `cargo run --release -p book --bin measure-sky` printed.
-const CSV: &str = include_str!("../../data/sky-2026-11-22.csv");
+/// What `radiosity chart sky -o book/data` wrote.
+const CSV: &str = include_str!("../../data/sky.csv");
 
-fn points() -> Vec<Point> {
-    chart::points(CSV).expect("a line of the CSV does not fit")
-}
-
-/// Error against time of the irradiance below the sunny sky.
-pub fn svg() -> String {
-    chart::svg(
-        "Relative error of the ground's irradiance against the time to find it",
-        &points(),
-        "milliseconds for one point",
-        "relative error",
-    )
-}
-
-/// What that chart says.
+/// What the chart of the sunny sky says.
 pub fn text() -> String {
-    let of = |method: &str, setting: &str| {
-        let found =
-            points().into_iter().find(|p| p.method == method && p.setting == setting);
-        found.expect("it was measured")
-    };
-    let [even, bright] = ["even", "by brightness"].map(|method| of(method, "1024"));
-    let all = of("all texels", "exact");
+    let trials = trials(CSV);
+    let of = |draw: Draw| find(&trials, SUNNY, draw.name(), 1024.0);
+    let (even, bright) = (of(Draw::Even), of(Draw::Bright));
+    let all = trials.iter().find(|t| t.method == "all texels").expect("measured");
     format!(
         "Of 1024 directions, even ones leave an error of {:.0} %, those drawn by brightness \
-         {:.1} %: {:.0} times as many even ones would be needed. Summing all texels takes \
+         {:.1} %: some {:.0} thousand times as many even ones would be needed. Summing all texels takes \
          {:.1} ms - but only for a point that sees all of the sky.\n",
         100.0 * even.error,
         100.0 * bright.error,
-        (even.error / bright.error).powi(2),
-        all.milliseconds,
+        1e-3 * (even.error / bright.error).powi(2),
+        1e3 * all.seconds,
+    )
+}
+
+/// What the chart of the overcast sky says.
+pub fn clouds() -> String {
+    let trials = trials(CSV);
+    let of = |draw: Draw| find(&trials, OVERCAST, draw.name(), 1024.0);
+    let worth = |draw: Draw| of(draw).error.powi(2) * of(draw).seconds;
+    format!(
+        "Under clouds there is no sun to miss: of 1024 directions even ones leave {:.1} %, \
+         those by the cosine {:.1} %, those by brightness {:.1} %. For the same error even \
+         ones take {:.1} times as long as those by the cosine.\n",
+        100.0 * of(Draw::Even).error,
+        100.0 * of(Draw::Cosine).error,
+        100.0 * of(Draw::Bright).error,
+        worth(Draw::Even) / worth(Draw::Cosine),
     )
 }

@@ -2,7 +2,7 @@
 //!
 //! [`skies`] paints what shines; [`court`] is the scene under it; [`shadow`] looks for
 //! a sun by chance, in three ways; [`tables`] writes what falls on planes and what a
-//! texel is worth; [`cost`] charts the samples.
+//! texel is worth; [`cost`] says what was measured.
 
 pub mod cost;
 pub mod court;
@@ -17,8 +17,8 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/sky-tilts.md".into(), tables::tilts()),
         ("generated/sky-texels.md".into(), tables::texels()),
         ("generated/sky-sun.md".into(), shadow::of_the_sun()),
-        ("generated/sky-cost.svg".into(), cost::svg()),
         ("generated/sky-cost.md".into(), cost::text()),
+        ("generated/sky-clouds.md".into(), cost::clouds()),
         ("generated/sky-ledger.md".into(), court::ledger()),
     ];
     for (k, draw) in shadow::Draw::ALL.into_iter().enumerate() {

@@ -3,50 +3,17 @@
 use super::court::scene;
 use super::skies::{Kind, sun_texel, sunny};
 use crate::map::{self, PLACES};
-use glam::{DVec2, DVec3, dvec2, dvec3};
+use glam::{DVec3, dvec2, dvec3};
+pub use radiosity::chart::suites::sky::Draw;
 use radiosity::film::{Picture, RgbImage};
 use radiosity::geometry::{Polygon, Ray, Rgb};
-use radiosity::radiometry::cosine_direction;
 use radiosity::random::Stream;
 use radiosity::sky::Sky;
 use radiosity::visibility::Visibility;
-use std::f64::consts::{PI, TAU};
-
-/// How directions are drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Draw {
-    /// Evenly over the hemisphere above.
-    Even,
-    /// In proportion to the cosine.
-    Cosine,
-    /// In proportion to the sky's radiance.
-    Bright,
-}
+use std::f64::consts::TAU;
 
 /// Directions for each pixel.
 pub const RAYS: usize = 64;
-
-impl Draw {
-    /// All of them.
-    pub const ALL: [Draw; 3] = [Draw::Even, Draw::Cosine, Draw::Bright];
-
-    /// A direction above the ground, and `L cosθ/pdf` along it.
-    pub fn light(self, sky: &Sky, u: DVec2) -> (DVec3, Rgb) {
-        let (d, pdf) = match self {
-            Draw::Even => {
-                let ((x, z), flat) = ((TAU * u.y).sin_cos(), (1.0 - u.x * u.x).sqrt());
-                (dvec3(flat * x, u.x, flat * z), 1.0 / TAU)
-            }
-            Draw::Cosine => {
-                let DVec3 { x, y, z } = cosine_direction(u);
-                (dvec3(x, z, -y), z / PI)
-            }
-            Draw::Bright => sky.sample(u),
-        };
-        let light = if d.y > 0.0 { sky.radiance(d) * d.y / pdf } else { Rgb::ZERO };
-        (d, light)
-    }
-}
 
 /// The ground of the court as seen from above, 4 m × 4 m, lit by `rays` directions to
 /// each pixel; the blocks are cut out.
@@ -90,11 +57,7 @@ fn error(draw: Draw) -> f64 {
 
 /// What is said below the map.
 pub fn caption(draw: Draw) -> String {
-    let name = match draw {
-        Draw::Even => "even",
-        Draw::Cosine => "by the cosine",
-        Draw::Bright => "by brightness",
-    };
+    let name = draw.name();
     format!("{name}: off by {}\n", map::per_cent((error(draw) * 100.0).round() / 100.0))
 }
 

@@ -1,6 +1,6 @@
 //! The figures and numbers of the chapter *Who carries which light?*
 //!
-//! [`parts`] takes a picture apart, class by class; [`cost`] draws what was measured.
+//! [`parts`] takes a picture apart, class by class; [`cost`] says what was measured.
 
 pub mod cost;
 pub mod parts;
@@ -12,7 +12,6 @@ pub fn files() -> Vec<(String, String)> {
         ("transport-view.md", parts::caption()),
         ("transport-wrong.md", parts::wrong()),
         ("transport-ledger.md", parts::ledger()),
-        ("transport-cost.svg", cost::svg()),
         ("transport-cost.md", cost::text()),
     ]
     .map(|(name, text)| (format!("generated/{name}"), text))

@@ -1,9 +1,16 @@
 //! The suites: what is compared with what. A new method or scene is one entry in one of
 //! them.
 
+pub mod certificate;
+pub mod directional;
 pub mod form_factors;
 pub mod light;
+pub mod look;
+pub mod pictures;
+pub mod second_pass;
+pub mod sky;
 pub mod solvers;
+mod truth;
 
 use super::{Bench, Trial, View};
 
@@ -20,7 +27,16 @@ pub struct Suite {
 }
 
 /// All suites, in the order of the book.
-pub const SUITES: [Suite; 3] = [light::SUITE, form_factors::SUITE, solvers::SUITE];
+pub const SUITES: [Suite; 8] = [
+    light::SUITE,
+    form_factors::SUITE,
+    solvers::SUITE,
+    certificate::SUITE,
+    directional::SUITE,
+    second_pass::SUITE,
+    sky::SUITE,
+    pictures::SUITE,
+];
 
 /// The suite of this name.
 pub fn suite(name: &str) -> Option<&'static Suite> {

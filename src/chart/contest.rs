@@ -47,8 +47,7 @@ impl Bench<'_> {
 pub struct Method<'a, A> {
     name: String,
     settings: Vec<f64>,
-    random: bool,
-    runs: u64,
+    seeds: u64,
     run: Box<dyn Fn(f64, u64) -> (A, Work) + 'a>,
 }
 // ANCHOR_END: method
@@ -66,22 +65,22 @@ impl<'a, A> Method<'a, A> {
         );
         let run = Box::new(run);
         let (name, settings) = (name.into(), settings.into());
-        Method { name, settings, random: false, runs: RUNS, run }
+        Method { name, settings, seeds: 1, run }
     }
 
-    /// Gives another answer for each seed: its error is that of many.
+    /// Gives another answer for each seed: its error is that of [`SEEDS`].
     pub fn random(
         name: &str,
         settings: &[f64],
         run: impl Run<A> + 'a,
     ) -> Method<'a, A> {
-        Method { random: true, runs: RANDOM_RUNS, ..Method::new(name, settings, run) }
+        Method { seeds: SEEDS, ..Method::new(name, settings, run) }
     }
 
-    /// Is run so often at the most: a method that is wrong seldom, and then by much, is
-    /// to be seen often.
-    pub fn runs(self, runs: u64) -> Method<'a, A> {
-        Method { runs, ..self }
+    /// With so many seeds: more where it is wrong seldom, and then by much; fewer where
+    /// one answer has many numbers in it.
+    pub fn seeds(self, seeds: u64) -> Method<'a, A> {
+        Method { seeds, ..self }
     }
 }
 
@@ -109,14 +108,14 @@ pub struct Contest<'a, A> {
     methods: Vec<Method<'a, A>>,
 }
 
-/// Runs of a method that always gives the same: the median of these is its time.
+/// Seeds of a random method: the error of a single run is luck; of 16 it is known to a
+/// sixth, `1/√(2·16)`.
+pub const SEEDS: u64 = 16;
+
+/// A time is the median of at least so many runs,
 const RUNS: u64 = 3;
 
-/// Runs of a random method: the error of a single one is luck; of 16 it is known to a
-/// sixth, `1/√(2·16)`.
-const RANDOM_RUNS: u64 = 16;
-
-/// After so many seconds a method is not run again.
+/// unless they took more seconds than this. No clock decides an error: all seeds run.
 const ENOUGH: f64 = 1.5;
 
 /// Shorter calls, in s, are repeated until they last so long: a clock has its grain.
@@ -162,10 +161,12 @@ impl<'a, A> Contest<'a, A> {
     ) -> Trial {
         let (mut times, mut squares, mut last) = (vec![], 0.0, None);
         // ANCHOR: trial
-        while (times.len() as u64) < m.runs && times.iter().sum::<f64>() <= ENOUGH {
-            let seed = if m.random { times.len() as u64 } else { 0 };
-            let ((answer, work), seconds, memory) =
-                timed(&|| (m.run)(setting, seed), meter);
+        for run in 0..m.seeds.max(RUNS) {
+            if run >= m.seeds && times.iter().sum::<f64>() > ENOUGH {
+                break;
+            }
+            let find = || (m.run)(setting, run % m.seeds);
+            let ((answer, work), seconds, memory) = timed(&find, meter);
             let verdict = (self.judge)(&answer);
             times.push(seconds);
             squares += verdict.error.powi(2);

@@ -57,7 +57,7 @@ pub fn audit(edge: f64, points: &[f64], fine: u64, bench: &Bench) -> Vec<Trial> 
     };
     let method = |rays: usize| {
         let name = format!("{rays} rays");
-        Method::random(&name, points, move |n, seed| ask(n, rays, seed))
+        Method::random(&name, points, move |n, seed| ask(n, rays, seed)).seeds(4)
     };
     let width = |c: &Certificate| Verdict::of(0.5 * (c.high - c.low) / c.error);
     let widths = Contest::new(WIDTH, 0.0, width)

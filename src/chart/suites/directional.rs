@@ -93,7 +93,8 @@ pub fn run(
         let picture = by_paths(n as usize, seed);
         let rays = (n as usize * picture.pixels.len()) as u64;
         ((picture, None), Work { rays, ..Work::default() })
-    });
+    })
+    .seeds(2); // a picture has many pixels
     contest.with(two_passes).with(paths).run(SUITE.name, bench)
 }
 

@@ -138,6 +138,7 @@ impl Look {
             let rays = samples as u64 * picture.pixels.len() as u64;
             (picture, Work { rays, ..Work::default() })
         })
+        .seeds(2) // a picture has many pixels
     }
 
     fn each(&self, mut radiance: impl FnMut(Ray, usize) -> Rgb) -> Picture {

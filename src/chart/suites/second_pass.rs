@@ -159,7 +159,7 @@ pub fn lobe(bench: &Bench) -> Vec<Trial> {
                 let sum: f64 = cones.iter().map(overlap).sum();
                 (counts * sum, Work { factors: n as u64, ..Work::default() })
             })
-            .runs(OFTEN),
+            .seeds(OFTEN),
         )
         .with(
             Method::random("N rays", &RAYS, |n, seed| {
@@ -178,7 +178,7 @@ pub fn lobe(bench: &Bench) -> Vec<Trial> {
                     Work { rays: n as u64, ..Work::default() },
                 )
             })
-            .runs(OFTEN),
+            .seeds(OFTEN),
         )
         .with(Method::new("one cone of 90 %", &[1.0], |_, _| {
             let cone = Cone::holding(0.9, EXPONENT, DVec3::Z);

@@ -94,13 +94,13 @@ impl Draw {
             let sum: f64 = (0..n as u64).map(|_| ray()).sum();
             (sum / n, Work { rays: n as u64, ..Work::default() })
         };
-        Method::random(self.name(), rays, find).runs(RUNS)
+        Method::random(self.name(), rays, find).seeds(SEEDS)
     }
 }
 
 /// The sun is met by one even direction in three thousand: who wants to know the error of a
 /// few must try often.
-const RUNS: u64 = 256;
+const SEEDS: u64 = 256;
 
 fn measure(bench: &Bench) -> Vec<Trial> {
     ground(&[64.0, 256.0, 1024.0, 4096.0, 16_384.0], bench)

@@ -34,7 +34,10 @@ impl Axis {
         }
         let step = step(high - low);
         if round {
-            [low, high] = [(low / step).floor() * step, (high / step).ceil() * step];
+            [low, high] = [
+                (low / step + 1e-9).floor() * step,
+                (high / step - 1e-9).ceil() * step,
+            ];
         }
         let ticks = steps(low, high, step);
         Axis { logarithmic: false, ends: [low, high], zero: None, ticks }

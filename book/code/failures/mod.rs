@@ -7,6 +7,7 @@
 //! | [`curve`]    | a curve as SVG                                           |
 //! | [`page`]     | rows, families and the table of all of them as Markdown  |
 //! | [`symptoms`] | what to suspect first                                    |
+//! | [`rooms`]    | what 500 random rooms did to our own defaults            |
 //! | [`ledger`]   | a ledger that shows a failure                            |
 
 // The tests of the crate and this page call the same functions.
@@ -18,6 +19,7 @@ pub mod axis;
 pub mod curve;
 pub mod ledger;
 pub mod page;
+pub mod rooms;
 pub mod symptoms;
 
 use rayon::prelude::*;
@@ -86,6 +88,7 @@ pub fn files() -> Vec<(String, String)> {
         ("count", page::count()),
         ("symptoms", symptoms::table()),
         ("ledger", ledger::markdown()),
+        ("rooms", rooms::table()),
     ];
     for (name, text) in written {
         files.push((format!("generated/failures-{name}.md"), text));

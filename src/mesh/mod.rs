@@ -39,7 +39,7 @@ pub use place::Place;
 pub use split::quarters;
 
 use crate::geometry::{Polygon, Rgb};
-use crate::scene::{FaceId, MaterialId, Scene, Surface};
+use crate::scene::{Face, FaceError, FaceId, MaterialId, Scene, Side, Surface};
 use anchor::Anchor;
 use build::Builder;
 use contact::Planes;
@@ -168,6 +168,26 @@ impl Mesh {
             contacts.cut(e.polygon.clone())
         };
         self.elements.iter().map(cut).collect()
+    }
+
+    /// A scene like `scene`, of which this is a mesh, whose faces are the elements: all
+    /// fronts, in order.
+    ///
+    /// Other programs that are handed such a scene have no choice of elements left.
+    ///
+    /// # Errors
+    /// An element so small that rounding has left it no shape.
+    pub fn as_faces(&self, scene: &Scene) -> Result<Scene, FaceError> {
+        let surface = |e: &Element| &scene.surfaces[self.surface_of(e) as usize];
+        let fronts = self.elements.iter().filter(|e| surface(e).side == Side::Front);
+        let face = |e: &Element| Face {
+            outline: e.polygon.vertices().to_vec(),
+            material: surface(e).material,
+        };
+        let (faces, materials) = (fronts.map(face).collect(), scene.materials.clone());
+        let (tiled, _) =
+            Scene::assemble(&scene.name, materials, faces, Some(scene.camera))?;
+        Ok(Scene { sky: scene.sky.clone(), ..tiled })
     }
 
     /// The element `id`.

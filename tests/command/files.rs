@@ -228,3 +228,72 @@ fn each_built_in_scene_is_exported_and_read_back() {
         assert!(of(name) == of(&format!("all/{name}.obj")), "{name}");
     }
 }
+
+/// The elements stand for the faces: what they add up to is the same scene.
+#[test]
+fn a_scene_is_exported_as_elements() {
+    let folder = Folder::new();
+    let scenes = "scenes cornell-regular furnace";
+    folder.run(&format!("{scenes} --export whole")).done();
+    folder.run(&format!("{scenes} --export tiles --edge 0.25")).done();
+    // A cut along a line of contact may run across a cell.
+    let longest = [("cornell-regular", 0.25 * 2f64.sqrt()), ("furnace", 0.25)];
+    for (name, longest) in longest {
+        let of = |kind: &str| {
+            let path = folder.path().join(kind).join(name).with_extension("obj");
+            let (scene, warnings) = radiosity::obj::load(&path).expect(name);
+            (scene, warnings.len())
+        };
+        let ((whole, _), (tiles, warnings)) = (of("whole"), of("tiles"));
+        assert_eq!(warnings, 0, "elements neither overlap nor bend");
+        assert_eq!(tiles.camera, whole.camera);
+        let edges = tiles.surfaces.iter().flat_map(|s| s.polygon.edges());
+        let found = edges.map(|(a, b)| a.distance(b)).fold(0.0, f64::max);
+        assert!(found <= longest + 1e-9, "{name}: {found}");
+        // Area and emitted power of each material, by its name.
+        let sums = |scene: &radiosity::scene::Scene| {
+            let mut sums = std::collections::BTreeMap::new();
+            for surface in &scene.surfaces {
+                let material = scene.material(surface);
+                let sum = sums.entry(material.name().to_owned()).or_insert((0.0, 0.0));
+                sum.0 += surface.polygon.area();
+                sum.1 += surface.polygon.area() * material.emission().x;
+            }
+            sums
+        };
+        let (whole, tiles) = (sums(&whole), sums(&tiles));
+        assert!(whole.keys().eq(tiles.keys()), "{name}");
+        for ((area, power), (tiled_area, tiled_power)) in
+            whole.values().zip(tiles.values())
+        {
+            assert!((area - tiled_area).abs() < 1e-9 * area, "{name}");
+            assert!((power - tiled_power).abs() <= 1e-9 * power, "{name}");
+        }
+    }
+    let furnace = folder.text("tiles/furnace.obj");
+    let faces = furnace.lines().filter(|l| l.starts_with("f ")).count();
+    assert_eq!(faces, 6 * 16, "an edge that fits needs no more");
+    assert_eq!(folder.names(), ["tiles", "whole"]);
+}
+
+/// Faces that act on both sides are written once, and skies stay.
+#[test]
+fn every_built_in_scene_is_exported_as_elements_and_read_back() {
+    let folder = Folder::new();
+    folder.run("scenes --export tiles --edge 1.5").done();
+    for built_in in radiosity::scene::builtins() {
+        let path = folder.path().join(format!("tiles/{}.obj", built_in.name));
+        let (tiles, _) = radiosity::obj::load(&path).expect(built_in.name);
+        let whole = (built_in.make)();
+        assert_eq!(tiles.sky, whole.sky, "{}", built_in.name);
+        let backs =
+            |scene: &radiosity::scene::Scene| scene.surfaces.len() > scene.faces.len();
+        let two_sided = whole.surfaces.iter().any(|s| s.back.is_some());
+        assert_eq!(backs(&tiles), two_sided, "{}", built_in.name);
+        let area = |scene: &radiosity::scene::Scene| -> f64 {
+            scene.surfaces.iter().map(|s| s.polygon.area()).sum()
+        };
+        let (found, expected) = (area(&tiles), area(&whole));
+        assert!((found - expected).abs() < 1e-9 * expected, "{}", built_in.name);
+    }
+}

@@ -60,6 +60,21 @@ fn a_name_that_is_no_scene() {
 }
 
 #[test]
+fn an_edge_that_makes_no_elements() {
+    let folder = Folder::new();
+    let no = |edge: &str, words: &[&str]| {
+        refused(&folder, &format!("scenes --export new --edge {edge}"), words);
+    };
+    for edge in ["0", "-0.5", "nan", "inf"] {
+        no(edge, &["--edge", "positive"]);
+    }
+    no("1e-6", &["--edge 0.000001", "elements", "1000000", "longer edge"]);
+    no("1e-300", &["elements", "longer edge"]);
+    let words = ["`cornel`", "radiosity scenes"];
+    refused(&folder, "scenes furnace cornel --export new", &words);
+}
+
+#[test]
 fn a_missing_mtl() {
     let obj = format!("{SQUARE}mtllib gone.mtl\nusemtl lamp\nf 1 2 3 4\n");
     bad_file(obj, LAMP, &["gone.mtl"]);
@@ -218,6 +233,8 @@ fn what_is_not_understood_ends_with_2() {
         "solve furnace -o x.csv --sky uniform:1,1",
         "solve furnace -o x.csv --sky overcast:bright",
         "explain furnace --sky sunny",
+        "scenes --edge 0.5",
+        "scenes --export new --edge short",
         "form-factors furnace -o x.csv --sky overcast:1",
     ] {
         let Answer { code, out, err } = folder.run(arguments);

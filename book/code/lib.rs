@@ -111,6 +111,7 @@ mod pages {
         labs_mirror_world: "labs/mirror-world.md",
         labs_window: "labs/window.md",
         labs_cone: "labs/cone.md",
+        labs_race: "labs/race.md",
         labs_break_it: "labs/break-it.md",
         mirrors_and_windows: "mirrors-and-windows.md",
         solving: "solving.md",

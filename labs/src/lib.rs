@@ -46,6 +46,7 @@ pub mod mirror_world;
 pub mod window;
 pub mod cone;
 pub mod sky;
+pub mod race;
 pub mod break_it;
 
 pub use check::{Bug, Verdict};
@@ -67,5 +68,6 @@ pub const LABS: &[&Lab] = &[
     &window::LAB,
     &cone::LAB,
     &sky::LAB,
+    &race::LAB,
     &break_it::LAB,
 ];

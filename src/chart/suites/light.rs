@@ -114,7 +114,7 @@ fn of_irradiance() -> Contest<'static, f64> {
     Contest::new(IRRADIANCE, 0.0, off(exact))
         .with(exactly(closed))
         .with(rays("even rays", even, |w| TAU * w.z))
-        .with(rays("rays by the cosine", |u| cosine_direction(u), |_| PI))
+        .with(rays("rays by the cosine", cosine_direction, |_| PI))
 }
 
 /// `Σ ΔA cosθ/r²` over the middles of `cuts × cuts` pieces of the unit square about the
@@ -171,11 +171,7 @@ fn of_albedo() -> Contest<'static, f64> {
             (on_a_grid(rings as u32), evaluations(4.0 * rings * rings))
         }))
         .with(drawn(DRAWN_EVEN, even, move |w| TAU * reflected(w)))
-        .with(drawn(
-            DRAWN_COSINE,
-            |u| cosine_direction(u),
-            move |w| PI * reflected(w) / w.z,
-        ))
+        .with(drawn(DRAWN_COSINE, cosine_direction, move |w| PI * reflected(w) / w.z))
         .with(drawn(
             "drawn from the lobe",
             |u| LOBE.sample(eye(), u),

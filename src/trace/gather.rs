@@ -32,6 +32,7 @@ pub(super) fn gathered(
         let lamps_are_counted = lamps.are_counted();
         let on = Journey {
             weight: journey.weight * share,
+            one_of: journey.one_of * rays as f64,
             depth: journey.depth + 1,
             inside: journey.inside.clone(),
             lamps_are_counted,

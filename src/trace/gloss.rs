@@ -133,11 +133,12 @@ impl Glossy {
     ) -> Rgb {
         let importance = journey.weight.max_element().min(1.0);
         let rays = (how.rays as f64 * importance).ceil().max(1.0) as usize;
+        let one = Journey { one_of: journey.one_of * rays as f64, ..journey.clone() };
         let mut sum = Rgb::ZERO;
         for u in tally.points(rays) {
             let Some((direction, counts)) = self.direction(how, u) else { continue };
             let share = counts / rays as f64;
-            let on = tree.sent_on(journey, share, journey.inside.clone(), tally);
+            let on = tree.sent_on(&one, share, journey.inside.clone(), tally);
             let Some(on) = on.map(|on| Journey { lamps_are_counted, ..on }) else {
                 continue;
             };

@@ -42,6 +42,8 @@ pub(super) struct Meeting {
 pub(super) struct Journey {
     /// What its light counts in the picture: the product of all shares.
     pub weight: Rgb,
+    /// Of how many rays, sent instead of one, it is one: none is too faint for that.
+    pub one_of: f64,
     /// How often it was sent on.
     pub depth: u32,
     /// The indices of the solids that it is in, the innermost last.
@@ -54,7 +56,8 @@ impl Journey {
     /// That of a ray from the eye.
     pub(super) fn start() -> Journey {
         let inside = SmallVec::new();
-        Journey { weight: Rgb::ONE, depth: 0, inside, lamps_are_counted: false }
+        let (weight, one_of) = (Rgb::ONE, 1.0);
+        Journey { weight, one_of, depth: 0, inside, lamps_are_counted: false }
     }
 }
 
@@ -188,11 +191,13 @@ impl<'s> Tree<'s> {
     ) -> Option<Journey> {
         // ANCHOR: sent_on
         let (weight, depth) = (journey.weight * share, journey.depth + 1);
-        if depth > self.limits.depth || weight.max_element() < self.limits.weight {
+        let one_of = journey.one_of;
+        let faint = one_of * weight.max_element() < self.limits.weight;
+        if faint || depth > self.limits.depth {
             tally.cut += weight;
             return None;
         }
-        Some(Journey { weight, depth, inside, lamps_are_counted: false })
+        Some(Journey { weight, one_of, depth, inside, lamps_are_counted: false })
         // ANCHOR_END: sent_on
     }
 

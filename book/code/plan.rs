@@ -1,6 +1,10 @@
 //! The figures and numbers of the chapter *What does this scene need?*.
 
 use crate::{chart, ledger};
+use radiosity::chart::Trial;
+use radiosity::chart::suites::plan::{
+    BARE, BEST, CERTIFIED, LIKELY, PLAN, cost, cost_of_light,
+};
 use radiosity::film::{RgbImage, Shot};
 use radiosity::plan::{Plan, Planned, Predicted};
 use radiosity::scene::{Scene, built_in, builtins};
@@ -11,8 +15,8 @@ use std::sync::OnceLock;
 /// The errors that were asked for of the three meshes.
 pub const ASKED: [f64; 3] = [0.2, 0.05, 0.02];
 
-/// What `cargo run --release -p book --bin measure-plan` printed.
-const RECORD: &str = include_str!("../data/plan-2026-11-22.csv");
+/// What `radiosity chart plan` wrote.
+const RECORD: &str = include_str!("../data/plan.csv");
 
 /// Pixels along an edge of a picture.
 const SIZE: u32 = 200;
@@ -89,100 +93,163 @@ fn plans() -> String {
     text
 }
 
-/// A line of the record, and what is predicted for it.
-struct Row {
-    scene: &'static str,
-    asked: &'static str,
-    /// `milliseconds,at_most,likely,passes,patches,hemicubes,elements`
-    spent: Vec<f64>,
+/// One plan of the record: asked, done, predicted, and the best in hindsight.
+struct Row<'t> {
+    done: &'t Trial,
+    certified: f64,
+    likely: f64,
     predicted: Predicted,
+    best: Option<&'t Trial>,
+    bare: Option<&'t Trial>,
 }
 
-fn rows() -> Vec<Row> {
-    let row = |line: &'static str| {
-        let mut cells = line.split(',');
-        let (scene, asked) = (cells.next()?, cells.next()?);
-        let spent: Vec<f64> = cells.filter_map(|x| x.parse().ok()).collect();
-        let tolerance: f64 = asked.trim_end_matches(" %").parse().ok()?;
-        let predicted = Plan::of(&built_in(scene).ok()?, tolerance / 100.0).predicted;
-        (spent.len() == 7).then_some(Row { scene, asked, spent, predicted })
+fn rows(trials: &[Trial]) -> Vec<Row<'_>> {
+    let of = |done: &Trial, method: &str| {
+        let same = |t: &&Trial| {
+            t.scene == done.scene && t.setting == done.setting && t.method == method
+        };
+        trials.iter().find(same)
     };
-    RECORD.lines().skip(1).filter_map(row).collect()
+    let row = |done| {
+        let scene = built_in(&done.scene).ok()?;
+        Some(Row {
+            done,
+            certified: of(done, CERTIFIED)?.error,
+            likely: of(done, LIKELY)?.error,
+            predicted: Plan::of(&scene, done.setting).predicted,
+            best: of(done, BEST),
+            bare: of(done, BARE),
+        })
+    };
+    trials.iter().filter(|t| t.method == PLAN).filter_map(row).collect()
+}
+
+impl Row<'_> {
+    /// How many times the time of the best, its work, and its work without certificates.
+    fn ratios(&self) -> Option<[f64; 3]> {
+        let (best, bare) = (self.best?, self.bare?);
+        Some([
+            self.done.seconds / best.seconds,
+            cost(&self.done.work) / cost(&best.work),
+            cost_of_light(&self.done.work) / cost_of_light(&bare.work),
+        ])
+    }
+
+    fn asked(&self) -> String {
+        format!("{} %", (1e3 * self.done.setting).round() / 10.0)
+    }
 }
 
 /// Asked and given.
-fn given() -> String {
+fn given(rows: &[Row]) -> String {
     let mut text = String::from(
-        "| scene | asked | certified | likely | passes | hemicubes (predicted) | elements \
-         (predicted) | CPU s (predicted) |\n|---|---|---|---|---|---|---|---|\n",
+        "| scene | asked | certified | likely | measured | hemicubes (predicted) | CPU s \
+         (predicted) |\n|---|---|---|---|---|---|---|\n",
     );
-    for Row { scene, asked, spent, predicted } in rows() {
+    for row in rows {
+        let [certified, likely, measured] =
+            [row.certified, row.likely, row.done.error].map(|e| 100.0 * e);
         let _ = writeln!(
             text,
-            "| `{scene}` | {asked} | {:.2} % | {:.2} % | {} | {} ({:.0}) | {} ({:.0}) | \
-             {:.1} ({:.1}) |",
-            100.0 * spent[1],
-            100.0 * spent[2],
-            spent[3],
-            spent[5],
-            predicted.hemicubes,
-            spent[6],
-            predicted.elements,
-            spent[0] / 1e3,
-            predicted.seconds
+            "| `{}` | {} | {certified:.2} % | {likely:.2} % | {measured:.2} % | {} ({:.0}) | \
+             {:.2} ({:.1}) |",
+            row.done.scene,
+            row.asked(),
+            row.done.work.steps,
+            row.predicted.hemicubes,
+            row.done.seconds,
+            row.predicted.seconds
         );
     }
     text
 }
 
+/// The plan beside the best in hindsight.
+fn hindsight(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "| scene | asked | plan, CPU s | best, certified | best, not certified | times the \
+         time | times the work | without certificates |\n|---|---|---|---|---|---|---|---|\n",
+    );
+    for row in rows {
+        let (Some(best), Some(bare)) = (row.best, row.bare) else { continue };
+        let Some([time, work, light]) = row.ratios() else { continue };
+        let _ = writeln!(
+            text,
+            "| `{}` | {} | {:.2} | {:.2} | {:.2} | {time:.1} | {work:.1} | {light:.1} |",
+            row.done.scene,
+            row.asked(),
+            row.done.seconds,
+            best.seconds,
+            bare.seconds
+        );
+    }
+    text
+}
+
+/// What that table says.
+fn regret(rows: &[Row]) -> String {
+    let ratios: Vec<[f64; 3]> = rows.iter().filter_map(Row::ratios).collect();
+    let sum = |of: &dyn Fn(&Row) -> Option<f64>| -> f64 {
+        rows.iter().filter(|r| r.best.is_some()).filter_map(of).sum()
+    };
+    let plan = sum(&|r| Some(r.done.seconds));
+    let [best, bare] =
+        [sum(&|r| r.best.map(|t| t.seconds)), sum(&|r| r.bare.map(|t| t.seconds))];
+    let worst = |k: usize| ratios.iter().map(|r| r[k]).fold(0.0, f64::max);
+    format!(
+        "Over all of it the plan takes **{:.1} times** the time of the best in hindsight, \
+         certificates included, and {:.1} times at worst; by counts {:.1} times at worst. The \
+         light alone, without certificates, is {:.1} times the work at worst: where the proof \
+         costs most, the plan need not be stingy with light. Who needs no proof would have \
+         been done in {:.2} of the plan's time.\n",
+        plan / best,
+        worst(0),
+        worst(1),
+        worst(2),
+        bare / plan
+    )
+}
+
 /// What the record says of the worst that happened.
-fn missed() -> String {
-    let off = |row: &Row| row.spent[5] / row.predicted.hemicubes;
-    let rows = rows();
+fn missed(rows: &[Row]) -> String {
+    let off = |row: &&Row| row.done.work.steps as f64 / row.predicted.hemicubes;
     let Some(worst) = rows.iter().max_by(|a, b| off(a).total_cmp(&off(b))) else {
         return String::new();
     };
     let mut text = format!(
-        "**`{}`, asked for {}: {:.0} times the hemicubes that were predicted, {:.0} s \
-         instead of {:.0}.**",
-        worst.scene,
-        worst.asked,
-        off(worst),
-        worst.spent[0] / 1e3,
+        "**`{}`, asked for {}: {:.1} times the hemicubes that were predicted, {:.1} s \
+         instead of {:.1}.**",
+        worst.done.scene,
+        worst.asked(),
+        off(&worst),
+        worst.done.seconds,
         worst.predicted.seconds
     );
-    let asked = |row: &Row| row.asked.trim_end_matches(" %").parse().unwrap_or(0.0);
-    for row in rows.iter().filter(|row| 100.0 * row.spent[1] > asked(row)) {
+    for row in rows.iter().filter(|row| row.certified > row.done.setting) {
         let _ = write!(
             text,
             " And `{}`, asked for {}, came to {:.2} %.",
-            row.scene,
-            row.asked,
-            100.0 * row.spent[1]
+            row.done.scene,
+            row.asked(),
+            100.0 * row.certified
         );
     }
     text.push('\n');
     text
 }
 
-fn cost() -> String {
-    chart::svg(
-        "Certified error against time, for errors asked for from 10 % to 0.5 %",
-        &chart::points(RECORD).unwrap_or_default(),
-        "milliseconds, one thread",
-        "certified error",
-    )
-}
-
 /// Path and text of the generated files of the chapter.
 pub fn files() -> Vec<(String, String)> {
+    let trials = chart::trials(RECORD);
+    let rows = rows(&trials);
     let mut files = vec![
         ("generated/needs-cornell.md".to_string(), explained("cornell")),
         ("generated/needs-furnace.md".into(), explained("furnace")),
         ("generated/needs-plans.md".into(), plans()),
-        ("generated/needs-given.md".into(), given()),
-        ("generated/needs-missed.md".into(), missed()),
-        ("generated/needs-cost.svg".into(), cost()),
+        ("generated/needs-given.md".into(), given(&rows)),
+        ("generated/needs-hindsight.md".into(), hindsight(&rows)),
+        ("generated/needs-regret.md".into(), regret(&rows)),
+        ("generated/needs-missed.md".into(), missed(&rows)),
         ("generated/needs-ledger.md".into(), ledger::table(&done()[2].solution)),
     ];
     for k in 0..ASKED.len() {

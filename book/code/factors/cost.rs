@@ -1,39 +1,56 @@
 //! What the charts of the chapter say.
 
 use crate::chart::{self, find, trials};
-use radiosity::chart::Trial;
 use radiosity::chart::suites::form_factors::{HIDDEN, TOUCHING};
+use radiosity::chart::suites::scaling;
+use radiosity::chart::{Column, Trial, exponent};
 
-/// What `cargo bench --bench form_factors` printed last: faces, and milliseconds a row.
-const SCALING: &str = include_str!("../../data/scaling-2026-11-22.csv");
+/// What `radiosity chart scaling` wrote.
+const SCALING: &str = include_str!("../../data/scaling.csv");
 
-/// The chart of the time per row against the number of faces, as SVG. The columns of the
-/// CSV stand in the places of time and error.
-pub fn scaling_svg() -> String {
-    chart::svg(
-        "Time to find a row of analytic factors against the number of faces",
-        &chart::points(SCALING).expect("a line of the CSV does not fit"),
-        "faces",
-        "milliseconds for a row",
+/// How the time of rows grows with the number of faces: exponents, fitted from a thousand
+/// faces on.
+pub fn scaling_text() -> String {
+    let trials = chart::trials(SCALING);
+    let power = |scene: &str, method: &str| {
+        let fits =
+            |t: &&Trial| t.scene == scene && t.method == method && t.setting > 1e3;
+        let large: Vec<&Trial> = trials.iter().filter(fits).collect();
+        exponent(&large, Column::Setting, Column::Seconds)
+    };
+    let [exact, cubes] =
+        ["analytic", "hemicubes"].map(|m| scaling::ROWS.map(|scene| power(scene, m)));
+    format!(
+        "From a thousand faces on, the time of analytic rows grows as faces to the power \
+         {:.2} in the empty box and {:.2} in the Cornell room: **more slowly than n log n**, \
+         since small faces are far from each other in their own sizes, and need fewer points. \
+         Those of hemicubes grow by {:.2} and {:.2}: first the cells are the work, then the \
+         faces.\n",
+        exact[0], exact[1], cubes[0], cubes[1],
     )
 }
 
-/// How the time per row grows from a thousand faces to the most: fitted exponents.
-pub fn scaling_text() -> String {
-    let points = chart::points(SCALING).expect("a line of the CSV does not fit");
-    let exponent = |method: &str| {
-        let mut of =
-            points.iter().filter(|p| p.method == method && p.milliseconds > 1e3);
-        let (first, last) =
-            (of.next().expect("measured"), of.next_back().expect("measured"));
-        (last.error / first.error).ln() / (last.milliseconds / first.milliseconds).ln()
+/// How the time of a ray grows with the number of triangles, and what one takes.
+pub fn rays_text() -> String {
+    let trials = chart::trials(SCALING);
+    let of = |method: &str| -> Vec<&Trial> {
+        let fits = |t: &&Trial| t.scene == scaling::TRIANGLES && t.method == method;
+        trials.iter().filter(fits).collect()
     };
+    let (rays, tree) = (of("rays"), of("making ready"));
+    let [first, .., last] = rays[..] else { panic!("rays were not measured") };
+    let each = |t: &Trial| 1e6 * t.seconds / t.work.rays as f64;
+    let power = |of: &[&Trial]| exponent(of, Column::Setting, Column::Seconds);
     format!(
-        "From a thousand faces on, the time of a row grows as faces to the power {:.2} in the \
-         empty box and {:.2} in the Cornell room: **more slowly than n log n**, since small \
-         faces are far from each other in their own sizes, and need fewer points.\n",
-        exponent("empty box"),
-        exponent("Cornell room"),
+        "A ray takes {:.2} µs among {} triangles and {:.2} µs among {}: the power is {:.2}: \
+         a **logarithm** of what could be met, and what no cache holds any more. The tree's is \
+         {:.2}.\n",
+        each(first),
+        first.setting,
+        each(last),
+        last.setting,
+        power(&rays),
+        power(&tree)
     )
 }
 

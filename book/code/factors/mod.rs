@@ -25,8 +25,8 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/form-factors-answers.md".into(), answers::table()),
         ("generated/form-factors-cost.md".into(), cost::text()),
         ("generated/form-factors-hidden.md".into(), cost::hidden_text()),
-        ("generated/form-factors-scaling.svg".into(), cost::scaling_svg()),
         ("generated/form-factors-scaling.md".into(), cost::scaling_text()),
+        ("generated/form-factors-rays.md".into(), cost::rays_text()),
         ("generated/form-factors-ledger.md".into(), ledger::markdown()),
     ];
     for tilt in nusselt::TILTS {

@@ -1,106 +1,77 @@
-//! The charts of the page, from measurements that are kept with their date.
+//! What the page says of its charts, from measurements that are kept with their date.
 
-use crate::chart::{self, Point};
+use crate::chart;
+use radiosity::chart::suites::meshes::{ANALYTIC, CORNELL, CUBE, HEMICUBES, LINKS};
+use radiosity::chart::suites::scaling::SURFACES;
+use radiosity::chart::{Column, Trial, exponent};
 
-/// What `cargo bench --bench hierarchy` printed.
-const CSV: &str = include_str!("../../data/links-2026-11-22.csv");
+/// What `radiosity chart meshes` wrote.
+const CSV: &str = include_str!("../../data/meshes.csv");
 
-/// One run.
-struct Run {
-    scene: &'static str,
-    method: &'static str,
-    elements: f64,
-    links: f64,
-    seconds: f64,
-    flat: f64,
+/// What `radiosity chart scaling` wrote.
+const SCALING: &str = include_str!("../../data/scaling.csv");
+
+/// The trials of a method on a scene, in order.
+fn line<'t>(trials: &'t [Trial], scene: &str, method: &str) -> Vec<&'t Trial> {
+    trials.iter().filter(|t| t.scene == scene && t.method == method).collect()
 }
 
-fn runs() -> Vec<Run> {
-    let run = |line: &'static str| {
-        let cells: Vec<&str> = line.split(',').collect();
-        let number = |k: usize| cells.get(k)?.parse::<f64>().ok();
-        Some(Run {
-            scene: cells.first()?,
-            method: cells.get(1)?,
-            elements: number(2)?,
-            links: number(3)?,
-            seconds: number(4)?,
-            flat: number(5)?,
-        })
-    };
-    let runs: Option<Vec<Run>> = CSV.lines().skip(1).map(run).collect();
-    runs.expect("a line of the CSV does not fit")
+/// By which power of the number of elements links grow, from 500 elements on.
+fn growth(trials: &[Trial], scene: &str) -> f64 {
+    let mut links = line(trials, scene, LINKS);
+    links.retain(|t| t.setting > 500.0);
+    exponent(&links, Column::Setting, Column::Factors)
 }
 
-fn points(across: impl Fn(&Run) -> f64, upward: impl Fn(&Run) -> f64) -> Vec<Point> {
-    let cornell = runs().into_iter().filter(|run| run.scene == "cornell-regular");
-    let point = |run: Run| Point {
-        method: run.method.into(),
-        setting: format!("{}", run.elements),
-        milliseconds: across(&run),
-        error: upward(&run),
-    };
-    cornell.map(point).collect()
-}
-
-/// Links, or factors of a matrix, over elements.
-pub fn growth() -> String {
-    chart::svg(
-        "Links, and factors of a matrix, against the number of elements",
-        &points(|run| run.elements, |run| run.links),
-        "elements",
-        "links or factors",
-    )
-}
-
-/// Error over time.
-pub fn svg() -> String {
-    chart::svg(
-        "Relative error of the Cornell box against the time to solve it; marks are labelled \
-         by elements",
-        &points(|run| run.seconds, |run| run.flat),
-        "seconds of one processor",
-        "relative error, flat",
-    )
-}
-
-/// The slope of links over elements, from 500 elements on.
-fn slope(scene: &str) -> f64 {
-    let runs = runs();
-    let fits = |r: &&Run| r.scene == scene && r.method == "links" && r.elements > 500.0;
-    let mut of = runs.iter().filter(fits);
-    let (first, last) =
-        (of.next().expect("measured"), of.next_back().expect("measured"));
-    (last.links / first.links).ln() / (last.elements / first.elements).ln()
-}
-
-/// How many times sooner links have the error of the matrix with so many elements.
-fn gain(scene: &str, method: &str) -> (f64, f64) {
-    let runs = runs();
-    let of = |method: &'static str| {
-        runs.iter().filter(move |r| r.scene == scene && r.method == method)
-    };
-    let full = runs
-        .iter()
-        .find(|r| r.scene == scene && r.method == method && r.elements >= 2000.0)
-        .expect("measured");
-    let sooner = of("links").find(|r| r.flat <= full.flat).expect("measured");
-    (full.elements, full.seconds / sooner.seconds)
+/// The finest matrix, and how many times sooner links have its error.
+fn gain(trials: &[Trial], scene: &str, method: &str) -> (f64, f64) {
+    let matrix = *line(trials, scene, method).last().expect("it was measured");
+    let links = line(trials, scene, LINKS);
+    let sooner = links.iter().find(|t| t.error <= matrix.error);
+    (matrix.setting, sooner.map_or(f64::NAN, |t| matrix.seconds / t.seconds))
 }
 
 /// What the charts say.
 pub fn text() -> String {
-    let (elements, exact) = gain("cornell-regular", "analytic matrix");
-    let (_, cubes) = gain("cornell-regular", "hemicube matrix");
-    let (of_cube, cube) = gain("cube", "hemicube matrix");
+    let trials = chart::trials(CSV);
+    let (of_exact, exact) = gain(&trials, CORNELL, ANALYTIC);
+    let (of_cubes, cubes) = gain(&trials, CORNELL, HEMICUBES);
+    let (of_cube, cube) = gain(&trials, CUBE, HEMICUBES);
     format!(
         "Links grow as elements to the power {:.2} in the Cornell box and {:.2} in a closed \
-         cube; factors as the square. The error that a matrix of {elements} elements has, \
-         links have **{exact:.0} times sooner** than analytic factors and {cubes:.0} times \
-         sooner than hemicubes; in the cube, where nothing hides anything, {cube:.1} times \
-         sooner than a matrix of {of_cube}. Below a thousand elements a matrix does as well \
-         there.\n",
-        slope("cornell-regular"),
-        slope("cube"),
+         cube; factors as the square. The error that a matrix of {of_exact} elements has, \
+         links have **{exact:.1} times sooner** than analytic factors; that of {of_cubes} \
+         elements {cubes:.1} times sooner than hemicubes; and in the cube, where nothing hides \
+         anything, {cube:.1} times sooner than a matrix of {of_cube}.\n",
+        growth(&trials, CORNELL),
+        growth(&trials, CUBE),
+    )
+}
+
+/// What the most elements take, and what their matrix would.
+pub fn memory() -> String {
+    let trials = chart::trials(CSV);
+    let last = *line(&trials, CORNELL, LINKS).last().expect("it was measured");
+    let matrix = last.setting.powi(2) * size_of::<(u32, f64)>() as f64;
+    format!(
+        "{:.0} thousand elements take {:.0} megabytes; their matrix would take {:.0}.\n",
+        last.setting / 1e3,
+        last.memory as f64 / 1e6,
+        matrix / 1e6
+    )
+}
+
+/// How times grow with the number of surfaces, from a hundred on.
+pub fn surfaces() -> String {
+    let trials = chart::trials(SCALING);
+    let power = |method: &str| {
+        let mut all = line(&trials, SURFACES, method);
+        all.retain(|t| t.setting > 90.0);
+        exponent(&all, Column::Setting, Column::Seconds)
+    };
+    let [links, smooth, matrix] = [LINKS, "smooth light", "hemicube matrix"].map(power);
+    format!(
+        "From a hundred surfaces on, links take time as surfaces to the power {links:.1}, \
+         smooth light {smooth:.1}, the matrix {matrix:.1}.\n"
     )
 }

@@ -1,6 +1,6 @@
 //! The figures and numbers of the page *Links: substructuring carried on*.
 //!
-//! [`walls`] draws the links of two walls; [`cost`] draws what was measured.
+//! [`walls`] draws the links of two walls; [`cost`] tells what was measured.
 
 pub mod cost;
 pub mod walls;
@@ -50,9 +50,9 @@ pub fn files() -> Vec<(String, String)> {
     let mut files = vec![
         ("generated/links-walls.svg".to_string(), walls::svg()),
         ("generated/links-walls.md".into(), walls::caption()),
-        ("generated/links-growth.svg".into(), cost::growth()),
-        ("generated/links-cost.svg".into(), cost::svg()),
         ("generated/links-cost.md".into(), cost::text()),
+        ("generated/links-memory.md".into(), cost::memory()),
+        ("generated/links-surfaces.md".into(), cost::surfaces()),
         ("generated/links-ledger.md".into(), ledger::of(&solved(0.04).ledger)),
     ];
     for (k, error) in ERRORS.into_iter().enumerate() {

@@ -1,7 +1,7 @@
 //! The figures and numbers of the chapter *Patches and elements*.
 //!
 //! [`rounds`] splits the Cornell box a few times over; [`floor`] looks down on floors, to see
-//! what tears, leaks and kinks; [`cost`] draws what was measured.
+//! what tears, leaks and kinks; [`cost`] tells what was measured.
 
 pub mod cost;
 pub mod floor;
@@ -10,8 +10,7 @@ pub mod rounds;
 /// Path and text of the generated files of the chapter.
 pub fn files() -> Vec<(String, String)> {
     let mut files = vec![
-        ("generated/patches-error.svg".to_string(), cost::svg()),
-        ("generated/patches-error.md".into(), cost::text()),
+        ("generated/patches-error.md".to_string(), cost::text()),
         ("generated/patches-rounds.md".into(), cost::table()),
         ("generated/patches-ledger.md".into(), rounds::ledger()),
         ("generated/patches-tear.md".into(), floor::tear_caption()),

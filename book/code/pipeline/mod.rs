@@ -15,7 +15,6 @@ pub fn files() -> Vec<(String, String)> {
         ("generated/pipeline-view.md".into(), stages::caption()),
         ("generated/pipeline-eyes.md".into(), stages::eyes_caption()),
         ("generated/pipeline-sizes.md".into(), cost::table()),
-        ("generated/pipeline-cost.svg".into(), cost::svg()),
         ("generated/pipeline-cost.md".into(), cost::text()),
         ("generated/pipeline-ledger.md".into(), stages::ledger()),
     ];

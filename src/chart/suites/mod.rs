@@ -3,10 +3,14 @@
 
 pub mod certificate;
 pub mod directional;
+pub mod field;
 pub mod form_factors;
 pub mod light;
 pub mod look;
+pub mod meshes;
 pub mod pictures;
+pub mod plan;
+pub mod scaling;
 pub mod second_pass;
 pub mod sky;
 pub mod solvers;
@@ -27,15 +31,18 @@ pub struct Suite {
 }
 
 /// All suites, in the order of the book.
-pub const SUITES: [Suite; 8] = [
+pub const SUITES: [Suite; 11] = [
     light::SUITE,
+    scaling::SUITE,
     form_factors::SUITE,
     solvers::SUITE,
+    meshes::SUITE,
     certificate::SUITE,
     directional::SUITE,
     second_pass::SUITE,
     sky::SUITE,
     pictures::SUITE,
+    plan::SUITE,
 ];
 
 /// The suite of this name.

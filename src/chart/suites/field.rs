@@ -1,0 +1,144 @@
+//! The light of a scene as well as it can be found, for others to be held against.
+//!
+//! ```text
+//! error = ‖B − B*‖/‖B* − E‖         at some thousand points, worst channel
+//! ```
+//! The truth is smooth light that errs by far less than what is told. How far it may be off
+//! itself, its certificate says: that is by rays, and trusts no mesh.
+
+use crate::chart::Verdict;
+use crate::geometry::Rgb;
+use crate::mesh::{ElementId, Mesh};
+use crate::random::Stream;
+use crate::scene::Scene;
+use crate::solve::{Ledger, Sampling, Smooth, certify, resolution_for, smooth};
+use glam::DVec3;
+
+/// Light as it is shown: linear between the vertices of a mesh.
+pub struct Light {
+    /// The elements.
+    pub mesh: Mesh,
+    /// `B`, W/m², at its vertices.
+    pub radiosity: Vec<Rgb>,
+    /// Where the light went.
+    pub ledger: Ledger,
+}
+
+impl Light {
+    /// Smooth light of a scene.
+    pub fn smooth(scene: &Scene, found: Smooth) -> Light {
+        let mut radiosity = vec![Rgb::ZERO; found.mesh.vertices.len()];
+        for element in &found.mesh.elements {
+            for corner in element.corners.iter().map(|c| c.0 as usize) {
+                let h = [found.irradiance[corner], found.behind[corner]];
+                radiosity[corner] = found.radiosity(scene, element, h);
+            }
+        }
+        Light { mesh: found.mesh, radiosity, ledger: found.ledger }
+    }
+
+    /// `B`, W/m², at a point of an element.
+    pub fn at(&self, id: ElementId, x: DVec3) -> Rgb {
+        self.mesh.value_at(self.mesh.element(id), x, &self.radiosity)
+    }
+}
+
+/// A point of a surface, the area it stands for, and what is reflected there.
+struct Place {
+    surface: usize,
+    at: DVec3,
+    share: f64,
+    emission: Rgb,
+    reflected: Rgb,
+}
+
+/// The light of a scene at many points.
+pub struct Truth {
+    places: Vec<Place>,
+    /// `‖B* − E‖²`.
+    scale: Rgb,
+    /// How far it may be off, as errors are.
+    pub uncertainty: f64,
+}
+
+/// Points in all, about.
+const PLACES: f64 = 2000.0;
+
+/// Names the points, and the rays of the certificate.
+const SEED: u64 = 7;
+
+impl Truth {
+    /// Smooth light that is asked for this `error`.
+    pub fn of(scene: &Scene, error: f64) -> Truth {
+        let found = smooth(scene, &resolution_for(scene, error), &|_, _, _| {});
+        let light = Light::smooth(scene, found);
+        let sampling = Sampling { points: 1600, rays: 1024, seed: SEED };
+        let field = |id: ElementId, x: DVec3| light.at(id, x);
+        let uncertainty = certify(scene, &light.mesh, &field, sampling).high;
+        let mut places = places(scene);
+        let values = values(&places, &light);
+        let mut scale = Rgb::ZERO;
+        for (place, b) in places.iter_mut().zip(values) {
+            place.reflected = b - place.emission;
+            scale += place.share * place.reflected * place.reflected;
+        }
+        Truth { places, scale, uncertainty }
+    }
+
+    /// How far `light` is off, and what its ledger lacks.
+    pub fn judge(&self, light: &Light) -> Verdict {
+        let mut sum = Rgb::ZERO;
+        for (place, b) in self.places.iter().zip(values(&self.places, light)) {
+            let off = b - place.emission - place.reflected;
+            sum += place.share * off * off;
+        }
+        Verdict {
+            error: (sum / self.scale).max_element().sqrt(),
+            energy: Some(light.ledger.worst_imbalance()),
+        }
+    }
+}
+
+/// Points spread evenly over all surfaces that reflect or let light through.
+fn places(scene: &Scene) -> Vec<Place> {
+    let all: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
+    let of_surface = |(surface, s): (usize, &crate::scene::Surface)| {
+        let area = s.polygon.area();
+        let material = scene.material(s);
+        let lit = material.scattered() != Rgb::ZERO;
+        let count = if lit { (PLACES * area / all).ceil() as usize } else { 0 };
+        let place = |u| Place {
+            surface,
+            at: s.polygon.point_at(u),
+            share: area / count as f64,
+            emission: material.emission(),
+            reflected: Rgb::ZERO,
+        };
+        let points = Stream::named(SEED, &[surface as u64]).points(count);
+        points.map(place).collect::<Vec<_>>()
+    };
+    scene.surfaces.iter().enumerate().flat_map(of_surface).collect()
+}
+
+/// What `light` is at these places.
+fn values(places: &[Place], light: &Light) -> Vec<Rgb> {
+    let surfaces = places.iter().map(|p| p.surface + 1).max().unwrap_or(0);
+    let mut of_surface = vec![Vec::new(); surfaces];
+    for (id, element) in (0u32..).map(ElementId).zip(&light.mesh.elements) {
+        if let Some(own) = of_surface.get_mut(light.mesh.surface_of(element) as usize) {
+            own.push(id);
+        }
+    }
+    let outside =
+        |id: &ElementId, x| light.mesh.element(*id).polygon.distance_outside(x);
+    let value = |place: &Place| {
+        let own = of_surface[place.surface].iter();
+        let holds = |id: &&ElementId| outside(id, place.at) == 0.0;
+        // Between two of them by rounding: the nearest.
+        let id = own.clone().find(holds).or_else(|| {
+            own.min_by(|a, b| outside(a, place.at).total_cmp(&outside(b, place.at)))
+        });
+        light.at(*id.expect("elements cover their surface"), place.at)
+    };
+    places.iter().map(value).collect()
+}

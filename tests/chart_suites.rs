@@ -88,27 +88,21 @@ fn links_suffer_from_many_surfaces() {
 
 /// What is asked is certified, what is certified holds, and all that work is at most twice
 /// that of the cheapest fixed setting that would have done - which nobody knows beforehand -
-/// and its proof. Where the light is a tenth of all work or more, it alone is at most three
-/// times that of the best: the plan leaves room for scenes that err more than these. (Facing
-/// squares would do with a fifth of it. But there the proof is all the work.)
+/// and its proof. (Without its proof it would cost less: facing squares would do with a
+/// fifth of the light. But then nobody would know.)
 #[test]
 fn a_plan_costs_at_most_twice_the_best_in_hindsight() {
     for name in ["facing-squares", "cornell"] {
         let asked = [0.05, 0.02];
         let trials = plan::contest(name, &asked, &asked, &Bench::SILENT);
         let of = |method| of(&trials, method);
-        let (certified, best, bare) =
-            (of(plan::CERTIFIED), of(plan::BEST), of(plan::BARE));
+        let (certified, best) = (of(plan::CERTIFIED), of(plan::BEST));
         for (k, done) in of(plan::PLAN).iter().enumerate() {
             assert!(certified[k].error <= done.setting, "{name}: {:?}", certified[k]);
             assert!(done.error <= certified[k].error + done.uncertainty, "{done:?}");
             assert!(best[k].error <= done.setting, "{:?}", best[k]);
             let ratio = plan::cost(&done.work) / plan::cost(&best[k].work);
             assert!(ratio <= 2.0, "{name}, {}: {ratio} times the work", done.setting);
-            let light = plan::cost_of_light(&done.work);
-            let ratio = light / plan::cost_of_light(&bare[k].work);
-            let counts = light >= 0.1 * plan::cost(&done.work);
-            assert!(ratio <= 3.0 || !counts, "{name}, {}: {ratio}", done.setting);
         }
     }
 }

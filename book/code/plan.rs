@@ -104,24 +104,25 @@ struct Row<'t> {
 }
 
 fn rows(trials: &[Trial]) -> Vec<Row<'_>> {
-    let of = |done: &Trial, method: &str| {
+    trials.iter().filter(|t| t.method == PLAN).filter_map(|t| row(trials, t)).collect()
+}
+
+fn row<'t>(trials: &'t [Trial], done: &'t Trial) -> Option<Row<'t>> {
+    let of = |method: &str| {
         let same = |t: &&Trial| {
             t.scene == done.scene && t.setting == done.setting && t.method == method
         };
         trials.iter().find(same)
     };
-    let row = |done| {
-        let scene = built_in(&done.scene).ok()?;
-        Some(Row {
-            done,
-            certified: of(done, CERTIFIED)?.error,
-            likely: of(done, LIKELY)?.error,
-            predicted: Plan::of(&scene, done.setting).predicted,
-            best: of(done, BEST),
-            bare: of(done, BARE),
-        })
-    };
-    trials.iter().filter(|t| t.method == PLAN).filter_map(row).collect()
+    let scene = built_in(&done.scene).ok()?;
+    Some(Row {
+        done,
+        certified: of(CERTIFIED)?.error,
+        likely: of(LIKELY)?.error,
+        predicted: Plan::of(&scene, done.setting).predicted,
+        best: of(BEST),
+        bare: of(BARE),
+    })
 }
 
 impl Row<'_> {

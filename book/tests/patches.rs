@@ -7,6 +7,7 @@ mod picture;
 
 use book::patches::{cost, floor, rounds};
 use picture::assert_picture;
+use radiosity::chart::suites::meshes::{CORNELL, INDIRECT};
 
 const PICTURES: &str = "src/pictures";
 
@@ -56,6 +57,6 @@ fn kinks_are_seen() {
 /// What the chapter claims of its chart.
 #[test]
 fn marked_elements_go_further() {
-    assert!(cost::gain("box").1 > 1.3);
-    assert!(cost::gain("indirect").1 > 2.5);
+    assert!(cost::gain(CORNELL).2 > 1.3);
+    assert!(cost::gain(INDIRECT).2 > 2.5);
 }

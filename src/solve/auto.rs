@@ -131,9 +131,10 @@ const FEWEST_RAYS: usize = 32;
 /// So many times as many are cast when only chance is in doubt.
 const MORE: usize = 4;
 
-/// Rays for a certificate that is to tell whether an error meets the tolerance.
-fn rays_for(tolerance: f64) -> usize {
-    ((RAYS as f64 * 0.01 / tolerance) as usize).clamp(FEWEST_RAYS, RAYS)
+/// The points and rays that tell whether an error meets the tolerance.
+pub fn sampling_for(tolerance: f64) -> Sampling {
+    let rays = (RAYS as f64 * 0.01 / tolerance) as usize;
+    Sampling { points: POINTS, rays: rays.clamp(FEWEST_RAYS, RAYS), seed: 0 }
 }
 
 fn certified(
@@ -147,16 +148,13 @@ fn certified(
         let h = [&light.irradiance, &light.behind];
         light.radiosity(scene, element, h.map(|h| light.mesh.value_at(element, x, h)))
     };
-    let with_rays = |rays: usize| {
-        let sampling = Sampling { seed: ask.seed, rays, points: POINTS };
-        certify(scene, &light.mesh, &field, sampling)
-    };
+    let usual = Sampling { seed: ask.seed, ..sampling_for(ask.tolerance) };
+    let with = |sampling| certify(scene, &light.mesh, &field, sampling);
     progress("certifying", 0, 1);
-    let rays = rays_for(ask.tolerance);
-    let mut certificate = with_rays(rays);
+    let mut certificate = with(usual);
     let likely = certificate.error <= 0.75 * ask.tolerance;
     if likely && certificate.high > ask.tolerance {
-        certificate = with_rays(MORE * rays);
+        certificate = with(Sampling { rays: MORE * usual.rays, ..usual });
     }
     progress("certifying", 1, 1);
     certificate

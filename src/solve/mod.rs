@@ -46,7 +46,7 @@ mod solver;
 mod substructure;
 mod unbiased;
 
-pub use auto::{Ask, Pass, automatic, resolution_for};
+pub use auto::{Ask, Pass, automatic, resolution_for, sampling_for};
 pub use certificate::{Audit, Certificate, Sampling, audit, certify};
 pub use conjugate::ConjugateGradients;
 pub use direct::{Direct, OnPiece};

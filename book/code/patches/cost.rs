@@ -17,9 +17,10 @@ fn line<'t>(
     trials.iter().filter(move |t| t.scene == scene && t.method == method)
 }
 
-/// The third round of marked elements, and how many times as many elements it takes to do as
-/// well when all are split: on that line, between two marks.
-fn gain(trials: &[Trial], scene: &'static str) -> (f64, f64, f64) {
+/// The third round of marked elements: how many, how far off, and how many times as many
+/// elements it takes to do as well when all are split: on that line, between two marks.
+pub fn gain(scene: &'static str) -> (f64, f64, f64) {
+    let trials = &chart::trials(CSV);
     let third = line(trials, scene, MARKED).nth(2).expect("there are three rounds");
     let all: Vec<&Trial> = line(trials, scene, ALL).collect();
     let between = |w: &[&Trial]| {
@@ -34,9 +35,7 @@ fn gain(trials: &[Trial], scene: &'static str) -> (f64, f64, f64) {
 
 /// What the chart says.
 pub fn text() -> String {
-    let trials = chart::trials(CSV);
-    let [(n, off, by), (elements, room, indirect)] =
-        [CORNELL, INDIRECT].map(|scene| gain(&trials, scene));
+    let [(n, off, by), (elements, room, indirect)] = [CORNELL, INDIRECT].map(gain);
     format!(
         "With {n} elements the Cornell box is {:.1} % off; split all over it takes {by:.1} \
          times as many. The room that is lit through a gap is {:.1} % off with {elements} \

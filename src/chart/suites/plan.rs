@@ -9,7 +9,9 @@ use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
 use crate::mesh::{Element, ElementId};
 use crate::plan::{Plan, Planned};
 use crate::scene::{Scene, built_in};
-use crate::solve::{Ask, Certificate, Pass, Resolution, Sampling, certify, smooth};
+use crate::solve::{
+    Ask, Certificate, Pass, Resolution, Sampling, certify, sampling_for, smooth,
+};
 use glam::DVec3;
 use std::cell::RefCell;
 
@@ -45,12 +47,12 @@ const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> View {
     }
 }
 
-/// Built-in scenes that are planned: all that have something to solve and reach 1 %. In the
-/// mirror corridor, on the glossy floor, under the glass ball and in the gallery noise is
-/// left over.
-pub const SCENES: [&str; 11] = [
+/// Built-in scenes that are planned: all that have something to solve, but for those where
+/// noise is left over (the mirror corridor, the glossy floor, the glass ball, the gallery)
+/// and the regular Cornell box, which is as the other. Behind the translucent screen 1 % is
+/// not reached.
+pub const SCENES: [&str; 10] = [
     "cornell",
-    "cornell-regular",
     "facing-squares",
     "l-room",
     "indirect-room",
@@ -70,7 +72,7 @@ const SHOWN: [&str; 5] =
 pub const TOLERANCES: [f64; 3] = [0.05, 0.02, 0.01];
 
 /// Rooms of which the plan is asked for more, and for less.
-pub const WIDER: [&str; 3] = ["cornell", "l-room", "indirect-room"];
+pub const WIDER: [&str; 2] = ["cornell", "l-room"];
 const WIDE: [f64; 5] = [0.1, 0.05, 0.02, 0.01, 0.005];
 
 /// What the plan's field is off by.
@@ -85,7 +87,7 @@ pub const BEST: &str = "best: certified";
 pub const BARE: &str = "best: not certified";
 
 /// The error asked for of the truth.
-const TRUTH: f64 = 0.003;
+const TRUTH: f64 = 0.004;
 
 fn measure(bench: &Bench) -> Vec<Trial> {
     let of = |name: &&str| {
@@ -141,17 +143,18 @@ fn planned<'a>(
         told.borrow_mut().push((tolerance, solution.certificate));
         let (mesh, radiosity) = (solution.mesh, solution.vertex_radiosity);
         let light = Light { mesh, radiosity, ledger: solution.ledger };
+        let of_pass = |pass| of_pass(pass, &sampling_for(tolerance));
         (light, passes.iter().map(of_pass).fold(Work::default(), sum))
     })
 }
 
-/// What one attempt of a plan is.
-fn of_pass(pass: &Pass) -> Work {
+/// What one attempt of a plan is, with its certificate.
+fn of_pass(pass: &Pass, sampling: &Sampling) -> Work {
     let (looks, cells) = (pass.hemicubes as u64, cells(&pass.resolution));
     Work {
         factors: looks * pass.patches as u64,
         pixels: looks * cells,
-        rays: RAYS,
+        rays: rays(sampling),
         steps: looks,
         bytes: (pass.elements * size_of::<Element>()) as u64,
     }
@@ -171,11 +174,10 @@ fn cells(how: &Resolution) -> u64 {
     3 * u64::from(how.hemicube).pow(2)
 }
 
-/// What a plan's certificate takes.
-const SAMPLING: Sampling = Sampling { points: 1600, rays: 256, seed: 0 };
-
-/// Its rays: two gathers at each point.
-const RAYS: u64 = 2 * (SAMPLING.points * SAMPLING.rays) as u64;
+/// Rays of a certificate: two gathers at each point.
+fn rays(sampling: &Sampling) -> u64 {
+    2 * (sampling.points * sampling.rays) as u64
+}
 
 // ANCHOR: cost
 /// What work costs, by counts, and so the same on any machine. About microseconds: of cells
@@ -261,8 +263,9 @@ impl Hindsight {
             let (light, mut work) = run(scene, &how);
             if name == BEST {
                 let field = |id: ElementId, x: DVec3| light.at(id, x);
-                certify(scene, &light.mesh, &field, SAMPLING);
-                work.rays = RAYS;
+                let sampling = sampling_for(tolerance);
+                certify(scene, &light.mesh, &field, sampling);
+                work.rays = rays(&sampling);
             }
             (light, work)
         })

@@ -68,7 +68,7 @@ impl<'a, A> Method<'a, A> {
         Method { name, settings, seeds: 1, run }
     }
 
-    /// Gives another answer for each seed: its error is that of [`SEEDS`].
+    /// Gives another answer for each seed: its error is that of 16.
     pub fn random(
         name: &str,
         settings: &[f64],

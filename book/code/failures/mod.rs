@@ -2,7 +2,7 @@
 //!
 //! | module       | holds                                                    |
 //! |--------------|----------------------------------------------------------|
-//! | [`rows`]     | the rows and their curves, shared with the crate's tests |
+//! | [`mod@rows`] | the rows and their curves, shared with the crate's tests |
 //! | [`axis`]     | where a value lies, and which values are told            |
 //! | [`curve`]    | a curve as SVG                                           |
 //! | [`page`]     | rows, families and the table of all of them as Markdown  |

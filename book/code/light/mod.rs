@@ -2,8 +2,8 @@
 //! *Solid angle*, *Radiometry*.
 //!
 //! [`panorama`] unrolls the sphere of directions; [`pieces`] shows where a small surface
-//! is no longer small; [`rays`] samples; [`lamp`]
-//! lights a floor; [`assumptions`] shows one number for each element; [`cost`] draws the charts.
+//! is no longer small; [`lamp`] lights a floor; [`assumptions`] shows one number for each
+//! element; [`cost`] says what the charts say.
 
 pub mod assumptions;
 pub mod cost;

@@ -2,8 +2,8 @@
 //! *Albedo and the conservation of energy*.
 //!
 //! [`ball`] lights a ball, under a lamp and in a furnace; [`swap`] exchanges lamp and eye;
-//! [`lobes`] draws lobes and albedos as curves; [`samples`] integrates a lobe in four ways,
-//! and [`cost`] charts them; [`ledger`] closes the pages.
+//! [`lobes`] draws lobes and albedos as curves; [`cost`] says what the charts say; [`ledger`]
+//! closes the pages.
 
 pub mod ball;
 pub mod cost;

@@ -3,6 +3,8 @@
 //! `stability_shooting.rs`.)
 
 mod common;
+#[path = "common/shots.rs"]
+mod shots;
 
 use common::any::{convex_room, room};
 use common::rooms::{exact_factors, gathered, rows};
@@ -14,7 +16,8 @@ use radiosity::form_factor::{FormFactors, Matrix};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
 use radiosity::scene::built_in;
-use radiosity::solve::{Brightest, Enclosure, Overshoot, Shoot, Solver};
+use radiosity::solve::{Enclosure, Overshoot, Solver};
+use shots::steps;
 
 /// What has been sent so far, W/m²: the estimate whose residual is the unshot light.
 fn sent(solver: &Overshoot) -> Vec<Rgb> {
@@ -114,18 +117,6 @@ proptest! {
             prop_assert!((*b - *exact).abs().max_element() <= 1e-4 * largest);
         }
     }
-}
-
-/// Steps until the solver's bound is 1e-4, of shooting and of overshooting.
-fn steps(enclosure: &Enclosure, matrix: &Matrix) -> [usize; 2] {
-    fn steps(mut solver: impl Solver, rho: f64) -> usize {
-        let outcome = solver.run(rho, 1e-4, 100_000);
-        assert!(outcome.converged, "{outcome:?}");
-        outcome.steps
-    }
-    let rho = enclosure.largest_reflectance().max_element();
-    let shoot = Shoot::new(enclosure, matrix, Brightest::ByPower);
-    [steps(shoot, rho), steps(Overshoot::new(enclosure, matrix), rho)]
 }
 
 /// Where most light leaves, nothing comes back that could be shot ahead: nothing is

@@ -2,6 +2,8 @@
 //! wrong answer and how wrong it is, or that the trap is avoided.
 
 mod failures;
+#[path = "common/shots.rs"]
+mod shots;
 
 use failures::rooms::{box_walls, exact_factors, scene, solved_by};
 use failures::solver::shots::{
@@ -10,10 +12,11 @@ use failures::solver::shots::{
 };
 use failures::solver::sweeps::{lit_cube, total};
 use radiosity::form_factor::analytic::Analytic;
-use radiosity::form_factor::{FormFactors, Matrix};
+use radiosity::form_factor::FormFactors;
 use radiosity::mesh::Mesh;
 use radiosity::scene::built_in;
-use radiosity::solve::{Brightest, Enclosure, Overshoot, Shoot, Solver};
+use radiosity::solve::{Brightest, Enclosure, Shoot};
+use shots::steps;
 
 /// Row 50: who is the brightest? A large wall lamp holds most of the light, forty
 /// specks are each five times as bright. By radiosity the specks go first: after forty
@@ -79,18 +82,6 @@ fn row_53_overshooting_without_bound_explodes() {
     for (long, short) in sweep.found[0].points.iter().zip(&sweep.found[1].points) {
         assert_eq!(long[1] > short[1], long[0] > 2.0, "{long:?} {short:?}");
     }
-}
-
-/// Steps until the solver's bound is 1e-4, of shooting and of overshooting.
-fn steps(enclosure: &Enclosure, matrix: &Matrix) -> [usize; 2] {
-    fn steps(mut solver: impl Solver, rho: f64) -> usize {
-        let outcome = solver.run(rho, 1e-4, 100_000);
-        assert!(outcome.converged, "{outcome:?}");
-        outcome.steps
-    }
-    let rho = enclosure.largest_reflectance().max_element();
-    let shoot = Shoot::new(enclosure, matrix, Brightest::ByPower);
-    [steps(shoot, rho), steps(Overshoot::new(enclosure, matrix), rho)]
 }
 
 /// Row 53, the better half: in a room like others half of the shots are saved; where

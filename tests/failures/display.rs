@@ -94,7 +94,8 @@ pub const ROWS: &[Row] = &[
                the middle of its base, (π/2n)²/12 too large a factor: 1 % and 2 % at \
                three strips, and a quarter of that for twice as many.",
         remedy: "As many strips as the error asks for, which is second order; scale \
-                 reflected flux by the exact area where it matters.",
+                 reflected flux by the exact area where it matters. (Splines are not \
+                 evaluated here yet, so neither are their weights and degenerate edges.)",
         tests: &["stability_files::row_82_strips_of_a_cylinder_are_of_second_order"],
         shown: Shown::Curve(strips),
     },

@@ -43,7 +43,7 @@ pub fn quickest<'t>(
 /// For each task and error: who is the quickest, who comes next, who does not come in.
 pub fn winners() -> String {
     let mut text = String::from(
-        "| task | error | quickest | next | never |\n|---|---|---|---|---|\n",
+        "| task | error | quickest | next | at no setting tried |\n|---|---|---|---|---|\n",
     );
     for (suite, scene, task, levels) in TASKS {
         let mut trials = measured(suite);

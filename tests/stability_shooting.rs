@@ -11,8 +11,8 @@ use failures::solver::shots::{
     through_walls,
 };
 use failures::solver::sweeps::{lit_cube, total};
-use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::FormFactors;
+use radiosity::form_factor::analytic::Analytic;
 use radiosity::mesh::Mesh;
 use radiosity::scene::built_in;
 use radiosity::solve::{Brightest, Enclosure, Shoot};

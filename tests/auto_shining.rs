@@ -1,13 +1,12 @@
 //! `--method auto` where light goes on: mirrors, panes, paper, gloss, glass and skies, held
 //! against random walks that know of no mesh, no image and no hemicube.
 
+use radiosity::field::{Gathered, gather_unbiased};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
 use radiosity::scene::{Scene, built_in};
 use radiosity::sky::{Panorama, Sky};
-use radiosity::solve::{
-    Ask, Gathered, Solution, automatic, gather_unbiased, resolution_for,
-};
+use radiosity::solution::{Ask, Solution, automatic, resolution_for};
 
 fn solved(scene: &Scene, tolerance: f64) -> Solution {
     let ask = Ask { tolerance, ..Ask::default() };

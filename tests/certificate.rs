@@ -6,14 +6,17 @@ mod common;
 use common::rooms::{box_walls, rectangle, scene};
 use common::truth::{Field, Truth, solved};
 use glam::{DVec3, dvec3};
+use radiosity::certificate::{Audit, Certificate, Sampling};
+use radiosity::certificate::{audit, certify};
 use radiosity::form_factor::analytic::lambert_polygon;
 use radiosity::form_factor::ray_from;
 use radiosity::geometry::{Frame, Polygon, Rgb};
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::random::Stream;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{Ask, Audit, Certificate, Enclosure, Sampling};
-use radiosity::solve::{audit, automatic, certify, resolution_for};
+use radiosity::solution::Ask;
+use radiosity::solution::{automatic, resolution_for};
+use radiosity::solve::Enclosure;
 use radiosity::visibility::Visibility;
 
 /// So many runs each, and no more than 5 % of them may miss. (Where the true confidence

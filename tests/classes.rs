@@ -6,7 +6,7 @@ use common::paths::largest_z;
 use radiosity::film::Shot;
 use radiosity::geometry::Rgb;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::resolution_for;
+use radiosity::solution::resolution_for;
 use radiosity::trace::{
     CLASSES, Class, Letter, Light, Options, Owner, PathTracer, Word,
     classes_of_two_passes,

@@ -5,7 +5,7 @@ use radiosity::film::Shot;
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{Factors, Method, Options, Solution, solve, solve_on};
+use radiosity::solution::{Factors, Method, Options, Solution, solve, solve_on};
 
 /// Runs `work` in a pool of this many threads.
 fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {

@@ -4,7 +4,7 @@ use radiosity::geometry::Rgb;
 use radiosity::material::{Coefficients, Material, Shine};
 use radiosity::plan::{Plan, Way};
 use radiosity::scene::{Scene, built_in, builtins};
-use radiosity::solve::Ask;
+use radiosity::solution::Ask;
 
 fn scene(name: &str) -> Scene {
     built_in(name).unwrap()

@@ -13,12 +13,13 @@ mod common;
 
 use common::random_rooms::{EACH, Family, RandomRoom, random_room};
 use glam::DVec3;
+use radiosity::field::gather_unbiased;
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::mesh::{Element, ElementId, Mesh};
 use radiosity::plan::{Plan, Planned};
 use radiosity::random::Stream;
 use radiosity::scene::Scene;
-use radiosity::solve::{Ask, Solution, gather_unbiased, resolution_for};
+use radiosity::solution::{Ask, Solution, resolution_for};
 use rayon::prelude::*;
 use std::sync::OnceLock;
 

@@ -5,10 +5,11 @@ mod common;
 
 use common::rooms::{box_walls, moved, rectangle, scene};
 use glam::{DVec3, dvec3};
+use radiosity::field::Resolution;
 use radiosity::geometry::Polygon;
 use radiosity::mesh::Mesh;
 use radiosity::scene::Scene;
-use radiosity::solve::{Ask, Pass, Resolution, Solution, automatic, resolution_for};
+use radiosity::solution::{Ask, Pass, Solution, automatic, resolution_for};
 
 /// A cube with something in it, all of it of this reflectance.
 fn cube_with(others: impl IntoIterator<Item = (Polygon, f64)>, rho: f64) -> Scene {

@@ -4,13 +4,13 @@ mod common;
 
 use common::cases;
 use common::rooms::{box_walls, scene};
+use radiosity::field::{Resolution, Smooth, gather_unbiased, smooth};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
+use radiosity::room::Direct;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{
-    Ask, Direct, Enclosure, Factors, Options, Resolution, Smooth, automatic,
-    gather_unbiased, resolution_for, smooth, solve_on,
-};
+use radiosity::solution::{Ask, Factors, Options, automatic, resolution_for, solve_on};
+use radiosity::solve::Enclosure;
 
 fn solved(scene: &Scene, tolerance: f64) -> Smooth {
     smooth(scene, &resolution_for(scene, tolerance), &|_, _, _| {})

@@ -12,7 +12,8 @@ use failures::meshing::shadows::{
 use glam::dvec3;
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
-use radiosity::solve::{Direct, Oracle};
+use radiosity::room::Direct;
+use radiosity::solve::Oracle;
 
 /// Two digits.
 fn shown(got: f64, expected: f64) -> bool {
@@ -159,7 +160,8 @@ fn row_43_an_oracle_of_points_marks_nothing() {
         let floor = mesh.elements.iter().zip(&radiosity);
         let floor = floor.filter(|(e, _)| mesh.surface_of(e) == 0);
         let brightest = floor.map(|(_, b)| b.x).fold(0.0, f64::max);
-        let marks = oracle.marks(&scene, &mesh, &radiosity);
+        let marks =
+            oracle.marks(&scene, &mesh, &radiosity, &|e| direct.rise(&e.polygon));
         (brightest, marks.iter().filter(|mark| **mark).count())
     };
     let whole = Mesh::whole(&scene);

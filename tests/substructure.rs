@@ -11,8 +11,9 @@ use radiosity::form_factor::analytic::{exchange, lambert_polygon};
 use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::mesh::{Element, Mesh};
+use radiosity::room::Direct;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{Direct, Enclosure, OnElements, Oracle, Substructure};
+use radiosity::solve::{Enclosure, OnElements, Oracle, Substructure};
 
 /// A cube whose top emits; every wall reflects a share of its own.
 fn lit_cube() -> Scene {
@@ -277,7 +278,9 @@ fn splitting_where_it_pays_takes_fewer_elements() {
         mesh.elements.iter().map(|e| mesh.surface_of(e) == 0).collect()
     };
     let oracle = Oracle { tolerance: 0.08, smallest: 1.1 * 4.0 / 4_f64.powi(7) };
-    let adaptive = run(&|mesh, b| oracle.marks(&scene, mesh, b), 6);
+    let direct = Direct::of(&scene);
+    let rise = |e: &Element| direct.rise(&e.polygon);
+    let adaptive = run(&|mesh, b| oracle.marks(&scene, mesh, b, &rise), 6);
     let (uniform, finer) = (run(&all, 5), run(&all, 6));
     assert!(adaptive.elements * 4 < uniform.elements, "{adaptive:?} {uniform:?}");
     assert!(adaptive.error * 2.0 < uniform.error, "{adaptive:?} {uniform:?}");
@@ -300,7 +303,8 @@ fn the_oracle_marks_shadow_edges_and_stops() {
     };
     let radiosity: Vec<Rgb> = mesh.elements.iter().map(exact).collect();
     let oracle = Oracle { tolerance: 0.05, smallest: 1e-3 };
-    let marks = oracle.marks(&scene, &mesh, &radiosity);
+    let rise = |e: &Element| direct.rise(&e.polygon);
+    let marks = oracle.marks(&scene, &mesh, &radiosity, &rise);
     let xs = |wanted: bool| {
         let of = mesh.elements.iter().zip(&marks).filter(move |(_, m)| **m == wanted);
         of.map(|(e, _)| e.polygon.centroid().x).collect::<Vec<f64>>()
@@ -313,9 +317,9 @@ fn the_oracle_marks_shadow_edges_and_stops() {
     assert!(xs(true).iter().all(|x| !(0.15..0.9).contains(x)), "{:?}", xs(true));
     assert!(xs(false).len() > 200);
     let never = Oracle { smallest: 0.011, ..oracle };
-    assert!(!never.marks(&scene, &mesh, &radiosity).contains(&true));
+    assert!(!never.marks(&scene, &mesh, &radiosity, &rise).contains(&true));
     // Nothing shines: nothing to split, and nothing divides by the light.
     let dark = common::rooms::scene([(unit_square(0.0, true), 0.0, 0.5)]);
     let floor = Mesh::whole(&dark);
-    assert_eq!(oracle.marks(&dark, &floor, &[Rgb::ZERO]), [false]);
+    assert_eq!(oracle.marks(&dark, &floor, &[Rgb::ZERO], &|_| Rgb::ZERO), [false]);
 }

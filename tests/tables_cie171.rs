@@ -21,8 +21,9 @@ use glam::{DVec3, dvec3};
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::mesh::Mesh;
 use radiosity::radiometry::solid_angle;
+use radiosity::room::Direct;
 use radiosity::scene::Scene;
-use radiosity::solve::{Direct, Enclosure};
+use radiosity::solve::Enclosure;
 use serde_json::Value;
 use std::f64::consts::PI;
 

@@ -11,7 +11,8 @@ use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::geometry::Rgb;
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{Ask, Brightest, Enclosure, Shoot, automatic, resolution_for};
+use radiosity::solution::{Ask, automatic, resolution_for};
+use radiosity::solve::{Brightest, Enclosure, Shoot};
 
 const FACES: [&str; 16] = [
     "floor", "back", "green", "red", "ceiling", "light", "short0", "short1", "short2",

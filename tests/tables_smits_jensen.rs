@@ -10,8 +10,9 @@ use radiosity::form_factor::analytic::{Analytic, lambert_polygon};
 use radiosity::form_factor::{FormFactors, Lost, Matrix, Row};
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::mesh::{ElementId, Mesh};
+use radiosity::room::Direct;
 use radiosity::scene::Scene;
-use radiosity::solve::{Direct, Enclosure, GaussSeidel, Solver};
+use radiosity::solve::{Enclosure, GaussSeidel, Solver};
 use serde_json::Value;
 use std::f64::consts::PI;
 

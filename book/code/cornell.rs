@@ -3,7 +3,7 @@
 use radiosity::film::{RgbImage, Shot};
 use radiosity::mesh::Mesh;
 use radiosity::scene::built_in;
-use radiosity::solve::{Factors, Options, solve_on};
+use radiosity::solution::{Factors, Options, solve_on};
 
 /// Longest edge of an element, in metres.
 const MAX_EDGE: f64 = 0.05;

@@ -138,7 +138,7 @@ pub const ROWS: [Row; 23] = [
         lab: false,
         state: State::Done(Written {
             page: "pipeline.md",
-            module: "src/solve/solution.rs",
+            module: "src/solution/classical.rs",
             figure: "pictures/pipeline-flat.snap.png",
             test: ("book/tests/equation.rs", "the_stages_hand_on_pictures"),
             lab: None,

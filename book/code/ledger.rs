@@ -1,7 +1,8 @@
 //! The energy ledger of a solution, as a Markdown table.
 
 use glam::DVec3;
-use radiosity::solve::{Ledger, Solution};
+use radiosity::solution::Solution;
+use radiosity::solve::Ledger;
 
 /// Where the light went: a line for each entry, channel by channel, in W and as a share.
 pub fn table(solution: &Solution) -> String {

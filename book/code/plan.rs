@@ -8,7 +8,7 @@ use radiosity::chart::suites::plan::{
 use radiosity::film::{RgbImage, Shot};
 use radiosity::plan::{Plan, Planned, Predicted};
 use radiosity::scene::{Scene, built_in, builtins};
-use radiosity::solve::Ask;
+use radiosity::solution::Ask;
 use std::fmt::Write;
 use std::sync::OnceLock;
 

@@ -6,10 +6,11 @@
 //! ```
 
 use super::{Verdict, Work};
+use crate::field::{Resolution, Smooth, gather_unbiased, smooth};
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
-use crate::solve::{Resolution, Smooth, gather_unbiased, resolution_for, smooth};
+use crate::solution::resolution_for;
 
 /// The patches of a scene and what is known of them.
 pub struct Patches<'a> {

@@ -14,8 +14,9 @@ use crate::film::{Picture, Shot, luminance};
 use crate::geometry::Rgb;
 use crate::plan::Plan;
 use crate::scene::Scene;
-use crate::solve::{Ask, Progress, Solution};
+use crate::solution::{Ask, Solution};
 use crate::trace::{Limits, Options, PathTracer, Table, Traced, TwoPass, Whitted};
+use crate::work::Progress;
 use std::fmt::Write;
 
 /// What each method may spend.

@@ -7,7 +7,7 @@ use super::solve::{checked, sized};
 use super::values;
 use clap::Args;
 use radiosity::plan::{Plan, Predicted};
-use radiosity::solve::Ask;
+use radiosity::solution::Ask;
 use serde_json::{Value, json};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;

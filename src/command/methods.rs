@@ -15,7 +15,7 @@ use radiosity::film::{Picture, Shot};
 use radiosity::geometry::Rgb;
 use radiosity::scene::Scene;
 use radiosity::sky::Sky;
-use radiosity::solve::Solution;
+use radiosity::solution::Solution;
 use radiosity::trace::{Limits, Options, PathTracer, Table, TwoPass, Whitted};
 use serde_json::{Value, json};
 

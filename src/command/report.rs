@@ -1,8 +1,10 @@
 //! What a solution says of itself: the ledger, the certificate, the JSON object.
 
+use radiosity::certificate::Certificate;
 use radiosity::geometry::Rgb;
 use radiosity::scene::Scene;
-use radiosity::solve::{Certificate, Ledger, Solution};
+use radiosity::solution::Solution;
+use radiosity::solve::Ledger;
 use serde_json::{Value, json};
 use std::fmt::Write;
 

@@ -6,7 +6,7 @@ use super::{report, tables, values};
 use clap::{Args, ValueEnum};
 use radiosity::plan::Plan;
 use radiosity::scene::Scene;
-use radiosity::solve::{self, Ask, Factors, Method, Options, Solution};
+use radiosity::solution::{self, Ask, Factors, Method, Options, Solution};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -211,7 +211,7 @@ pub fn solved(
             let done = Plan::of(scene, ask.tolerance).run(ask, &progress);
             (done.solution, done.decisions)
         }
-        Way::Fixed(options) => (solve::solve(scene, options, &progress), Vec::new()),
+        Way::Fixed(options) => (solution::solve(scene, options, &progress), Vec::new()),
     })
 }
 

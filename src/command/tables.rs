@@ -3,7 +3,7 @@
 use super::report::{self, rgb};
 use radiosity::geometry::Rgb;
 use radiosity::scene::{Face, Scene, Side};
-use radiosity::solve::Solution;
+use radiosity::solution::Solution;
 use serde_json::json;
 use std::fmt::Write;
 

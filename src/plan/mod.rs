@@ -31,9 +31,10 @@ pub use predict::Predicted;
 pub use run::Planned;
 pub use survey::{Pieces, Survey};
 
+use crate::field::Resolution;
 use crate::geometry::Rgb;
 use crate::scene::Scene;
-use crate::solve::{Ask, Resolution, resolution_for};
+use crate::solution::{Ask, resolution_for};
 use std::fmt;
 
 /// One thing that was decided, and why.

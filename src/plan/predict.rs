@@ -10,8 +10,8 @@
 //! built-in scenes, and the seconds to one machine. They decide nothing.
 
 use super::{Pieces, Survey};
+use crate::field::Resolution;
 use crate::scene::Scene;
-use crate::solve::Resolution;
 
 /// Predicted work.
 #[derive(Clone, Copy, Debug, PartialEq)]

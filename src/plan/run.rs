@@ -1,12 +1,12 @@
 //! Doing what was planned.
 
 use super::{Plan, Way};
+use crate::certificate::{Sampling, certify};
 use crate::geometry::Rgb;
 use crate::mesh::{ElementId, Mesh};
-use crate::solve::{
-    Ask, Enclosure, Ledger, Pass, Progress, Sampling, Solution, automatic, certify,
-    resolution_for,
-};
+use crate::solution::{Ask, Pass, Solution, automatic, resolution_for};
+use crate::solve::{Enclosure, Ledger};
+use crate::work::Progress;
 use glam::DVec3;
 
 /// What came of a plan.

@@ -5,9 +5,9 @@ use crate::geometry::{Frame, Polygon, Rgb};
 use crate::material::Shine;
 use crate::mesh::Mesh;
 use crate::random::Stream;
+use crate::room::Direct;
 use crate::scene::Scene;
 use crate::sky::Sky;
-use crate::solve::Direct;
 use crate::visibility::Visibility;
 
 /// What a scene is like.

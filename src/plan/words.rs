@@ -1,7 +1,7 @@
 //! What was decided, in sentences.
 
 use super::{Decision, Pieces, Predicted, Survey, Way};
-use crate::solve::Ask;
+use crate::solution::Ask;
 
 /// One decision for each thing that was looked at, in the order of the work.
 pub(super) fn decisions(

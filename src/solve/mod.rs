@@ -17,7 +17,7 @@
 //!
 //! All but the last are a [`Solver`], an iterator: each step yields the [`Ledger`] and the
 //! residual, from which [`error_bound`] tells when to stop. Not converging is a value, never
-//! an error. A [`Certificate`] then says how far the field is from the truth. The last makes
+//! an error. A certificate ([`crate::certificate`]) then says how far the field is from the truth. The last makes
 //! a system that is smaller, for any of them to solve.
 //!
 //! **Not here:** the factors ([`crate::form_factor`]); what a camera sees.
@@ -26,40 +26,25 @@
 //! Sources: Goral et al. 1984; Cohen & Greenberg 1985; Cohen, Chen, Wallace &
 //! Greenberg 1988; Hestenes & Stiefel 1952.
 
-mod auto;
-mod certificate;
 mod conjugate;
-mod direct;
 mod gather;
 mod gauss_seidel;
 pub mod hierarchy;
 mod jacobi;
 mod ledger;
 mod overshoot;
-mod peaks;
-mod portals;
-mod refine;
 mod shoot;
-mod smooth;
-mod solution;
 mod solver;
 mod substructure;
-mod unbiased;
 
-pub use auto::{Ask, Pass, automatic, resolution_for, sampling_for};
-pub use certificate::{Audit, Certificate, Sampling, audit, certify};
 pub use conjugate::ConjugateGradients;
-pub use direct::{Direct, OnPiece};
 pub use gauss_seidel::GaussSeidel;
 pub use jacobi::Jacobi;
 pub use ledger::{Ledger, LostPower};
 pub use overshoot::Overshoot;
 pub use shoot::{Brightest, Shoot};
-pub use smooth::{Resolution, Smooth, smooth};
-pub use solution::{Factors, Method, Options, Progress, Solution, solve, solve_on};
 pub use solver::{Outcome, Solver, Step, contraction, error_bound};
 pub use substructure::{OnElements, Oracle, Sees, Substructure};
-pub use unbiased::{Gathered, gather_unbiased};
 
 use crate::geometry::Rgb;
 use crate::mesh::{ElementId, Mesh};
@@ -157,7 +142,7 @@ impl Enclosure {
 
     /// `‖r‖ / ‖B − E‖` in the worst channel: the solver's residual relative to the
     /// reflected light. 0 where nothing is left, ∞ where nothing is reflected yet.
-    fn relative_residual(&self, residual: &[Rgb], radiosity: &[Rgb]) -> f64 {
+    pub(crate) fn relative_residual(&self, residual: &[Rgb], radiosity: &[Rgb]) -> f64 {
         let r = self.norm_squared(residual.iter().copied());
         let reflected = radiosity.iter().zip(&self.emission).map(|(&b, &e)| b - e);
         let scale = self.norm_squared(reflected);

@@ -22,7 +22,7 @@
 //! several sizes. Chapter *Patches and elements* (L11, L12).
 //! Sources: Cohen, Greenberg, Immel & Brock 1986.
 
-use super::{Direct, Enclosure, GaussSeidel, Outcome, Solver, contraction};
+use super::{Enclosure, GaussSeidel, Outcome, Solver, contraction};
 use crate::form_factor::{Lost, Matrix, Row};
 use crate::geometry::Rgb;
 use crate::mesh::{Element, Mesh, Patch, VertexId};
@@ -220,13 +220,21 @@ pub struct Oracle {
 }
 
 impl Oracle {
-    /// A mark for each element of `mesh`, which has this `radiosity` (W/m²).
-    pub fn marks(&self, scene: &Scene, mesh: &Mesh, radiosity: &[Rgb]) -> Vec<bool> {
+    /// A mark for each element of `mesh`, which has this `radiosity` (W/m²); `lamps_rise` is
+    /// by how much the light of the lamps alone, W/m², changes over an element on which
+    /// something may hide them ([`Direct::rise`](crate::room::Direct::rise)).
+    pub fn marks(
+        &self,
+        scene: &Scene,
+        mesh: &Mesh,
+        radiosity: &[Rgb],
+        lamps_rise: &(dyn Fn(&Element) -> Rgb + Sync),
+    ) -> Vec<bool> {
         let of = Enclosure::of(scene, mesh);
         let reflected = radiosity.iter().zip(&of.emission).map(|(&b, &e)| b - e);
         let whole = of.norm_squared(reflected).max_element();
         let most = self.tolerance.powi(2) * whole / of.len() as f64;
-        let (direct, vertices) = (Direct::of(scene), mesh.vertex_values(radiosity));
+        let vertices = mesh.vertex_values(radiosity);
         // ANCHOR: marked
         let marked = |(k, e): (usize, &Element)| {
             let (area, rho) = (of.area[k], of.reflectance[k]);
@@ -234,7 +242,7 @@ impl Oracle {
             let corners = e.corners.iter().map(|v| vertices[v.0 as usize]);
             area > self.smallest
                 && (much(rise(corners.chain([radiosity[k]])))
-                    || much(rho * lamps_rise(&direct, e)))
+                    || much(rho * lamps_rise(e)))
         };
         // ANCHOR_END: marked
         mesh.elements.par_iter().enumerate().map(marked).collect()
@@ -247,18 +255,3 @@ fn rise(values: impl Iterator<Item = Rgb>) -> Rgb {
     let [low, high] = values.fold(none, |[low, high], v| [low.min(v), high.max(v)]);
     high - low
 }
-
-/// How much the lamps' own light changes over an element, W/m²; 0 where nothing can hide
-/// them: there the gradient says enough.
-// ANCHOR: lamps
-fn lamps_rise(direct: &Direct, element: &Element) -> Rgb {
-    let (polygon, light) = (&element.polygon, direct.on(&element.polygon));
-    if light.is_free() {
-        return Rgb::ZERO;
-    }
-    let middle = polygon.centroid();
-    // A hair inwards: a corner may lie in the plane of what stands there.
-    let corners = polygon.vertices().iter().map(|v| v.lerp(middle, 1e-3));
-    rise(corners.chain([middle]).map(|x| light.irradiance(x)))
-}
-// ANCHOR_END: lamps

@@ -11,12 +11,13 @@
 
 use super::classes::{Class, Light, Table};
 use super::two_pass::{Options, TwoPass};
+use crate::field::{Resolution, smooth};
 use crate::film::{Picture, Shot};
 use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material, Shine};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
-use crate::solve::{Progress, Resolution, smooth};
+use crate::work::Progress;
 
 /// Radiosities of a mesh.
 struct Field {

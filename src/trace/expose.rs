@@ -5,7 +5,7 @@ use crate::film::{Picture, Shot};
 use crate::geometry::{Ray, Rgb};
 use crate::mesh::Mesh;
 use crate::raster::{ItemBuffer, Seen, View};
-use crate::solve::Progress;
+use crate::work::Progress;
 use rayon::prelude::*;
 
 /// A picture, and what it cost.

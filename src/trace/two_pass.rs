@@ -11,7 +11,7 @@ use crate::geometry::{Ray, Rgb};
 use crate::material::Shine;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
-use crate::solve::Progress;
+use crate::work::Progress;
 use glam::DVec3;
 use std::f64::consts::PI;
 

@@ -10,8 +10,8 @@ use crate::material::optics::pane;
 use crate::material::{Material, Shine};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
-use crate::solve::Progress;
 use crate::visibility::Visibility;
+use crate::work::Progress;
 use glam::DVec3;
 use std::f64::consts::PI;
 

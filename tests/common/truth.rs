@@ -6,8 +6,9 @@ use radiosity::form_factor::{Blockers, FormFactors, lambert_visible};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::random::Stream;
+use radiosity::room::Direct;
 use radiosity::scene::Scene;
-use radiosity::solve::{Direct, Enclosure};
+use radiosity::solve::Enclosure;
 
 use super::rooms::gathered;
 

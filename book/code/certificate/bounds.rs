@@ -2,7 +2,7 @@
 
 use super::cube::Cube;
 use crate::chart::{self, Point};
-use radiosity::solve::{Certificate, Sampling, certify};
+use radiosity::certificate::{Certificate, Sampling, certify};
 use std::fmt::Write;
 
 /// Elements along an edge, in the chart.

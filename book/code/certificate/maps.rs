@@ -2,11 +2,11 @@
 
 use crate::equation::system::System;
 use crate::map;
+use radiosity::certificate::{Audit, Certificate, Sampling, audit};
 use radiosity::film::{FalseColour, RgbImage, Shot};
 use radiosity::geometry::Rgb;
 use radiosity::glam::DVec3;
 use radiosity::mesh::ElementId;
-use radiosity::solve::{Audit, Certificate, Sampling, audit};
 use std::f64::consts::PI;
 use std::fmt::Write;
 use std::sync::OnceLock;

@@ -3,7 +3,7 @@
 use crate::ledger;
 use radiosity::mesh::Mesh;
 use radiosity::scene::built_in;
-use radiosity::solve::{Factors, Method, Options, solve_on};
+use radiosity::solution::{Factors, Method, Options, solve_on};
 
 /// The closed L-shaped room in coarse elements, by hemicubes at their centres.
 pub fn markdown() -> String {

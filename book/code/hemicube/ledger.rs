@@ -3,7 +3,8 @@
 use crate::ledger::table;
 use radiosity::mesh::Mesh;
 use radiosity::scene::built_in;
-use radiosity::solve::{Factors, Ledger, Method, Options, Solution, solve_on};
+use radiosity::solution::{Factors, Method, Options, Solution, solve_on};
+use radiosity::solve::Ledger;
 
 /// A scene solved by gathering, with factors of this kind and elements of this edge.
 fn solved(name: &str, max_edge: f64, factors: Factors) -> Solution {

@@ -7,7 +7,7 @@ use radiosity::form_factor::analytic::{exchange, lambert_polygon};
 use radiosity::geometry::Polygon;
 use radiosity::mesh::Mesh;
 use radiosity::scene::{Camera, built_in};
-use radiosity::solve::{Factors, Options, Solution, solve_on};
+use radiosity::solution::{Factors, Options, Solution, solve_on};
 use std::fmt::Write;
 
 /// Longest edges of the elements, in metres, of the picture that all is seen in.

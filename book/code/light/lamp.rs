@@ -11,7 +11,7 @@ use radiosity::radiometry::{
     reflected, solid_angle,
 };
 use radiosity::scene::{Face, MaterialId, Scene};
-use radiosity::solve::{Factors, Options, solve_on};
+use radiosity::solution::{Factors, Options, solve_on};
 
 /// The lamp's power, W.
 pub const FLUX: f64 = 60.0;

@@ -7,7 +7,7 @@ use radiosity::form_factor::hemicube::{Face, Weights};
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::raster::Seen;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{Factors, Method, Options, Solution, solve_on};
+use radiosity::solution::{Factors, Method, Options, Solution, solve_on};
 use radiosity::virtual_world::{ExtendedHemicube, VirtualWorld};
 use std::f64::consts::PI;
 use std::sync::OnceLock;

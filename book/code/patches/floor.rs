@@ -7,8 +7,8 @@ use radiosity::form_factor::analytic::lambert_polygon;
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::material::{Coefficients, Material};
 use radiosity::mesh::{Element, Mesh};
+use radiosity::room::Direct;
 use radiosity::scene::{Face, MaterialId, Scene};
-use radiosity::solve::Direct;
 
 /// Pixels along an edge of a panel.
 const PANEL: u32 = 96;

@@ -8,7 +8,7 @@ use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::mesh::Mesh;
 use radiosity::raster::Seen;
 use radiosity::scene::{Camera, built_in};
-use radiosity::solve::{Options, Solution, solve_on};
+use radiosity::solution::{Options, Solution, solve_on};
 use std::sync::OnceLock;
 
 /// Longest edge of an element, in metres.

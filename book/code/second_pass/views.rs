@@ -3,7 +3,7 @@
 use crate::ledger::table;
 use radiosity::film::{RgbImage, Shot};
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{Ask, Solution, automatic, resolution_for};
+use radiosity::solution::{Ask, Solution, automatic, resolution_for};
 use radiosity::trace::{Limits, Options, Shown, TwoPass, Whitted};
 use std::sync::OnceLock;
 

@@ -8,7 +8,7 @@ use radiosity::geometry::Rgb;
 use radiosity::material::{Coefficients, Material};
 use radiosity::plan::Plan;
 use radiosity::scene::{Camera, Face, MaterialId, Scene};
-use radiosity::solve::Ask;
+use radiosity::solution::Ask;
 use radiosity::trace::PathTracer;
 
 /// What is asked for of pass 1.

@@ -5,7 +5,7 @@ use crate::ledger;
 use radiosity::material::Lobe;
 use radiosity::mesh::Mesh;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{Factors, Options, Solution, solve_on};
+use radiosity::solution::{Factors, Options, Solution, solve_on};
 use std::fmt::Write;
 
 /// Of 1 W of red light that falls on the paint at an angle.

@@ -1,10 +1,11 @@
 //! A picture taken apart: one for each class of paths.
 
 use crate::ledger as books;
+use radiosity::field::smooth;
 use radiosity::film::{Picture, RgbImage, Shot};
 use radiosity::geometry::Rgb;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solve::{resolution_for, smooth};
+use radiosity::solution::resolution_for;
 use radiosity::trace::{ByClass, Class, Light, Options, Owner, PathTracer, Table};
 use std::fmt::Write;
 use std::sync::OnceLock;

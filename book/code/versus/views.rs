@@ -4,10 +4,11 @@ use crate::chart::{find, trials};
 use crate::ledger;
 use radiosity::chart::patches::Patches;
 use radiosity::chart::suites::solvers::{PATCH, PATCHES};
+use radiosity::field::smooth;
 use radiosity::film::{RgbImage, Shot};
 use radiosity::geometry::Rgb;
 use radiosity::scene::built_in;
-use radiosity::solve::{resolution_for, smooth};
+use radiosity::solution::resolution_for;
 
 /// Method and setting of each picture.
 pub const VIEWS: [(&str, f64); 3] = [

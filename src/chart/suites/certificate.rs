@@ -1,11 +1,10 @@
 //! The certificate: how sharply it tells an error, and how far it is off itself.
 
+use crate::certificate::{Certificate, Sampling, certify};
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
 use crate::mesh::{ElementId, Mesh};
 use crate::scene::built_in;
-use crate::solve::{
-    Certificate, Factors, Options, Sampling, Solution, certify, solve_on,
-};
+use crate::solution::{Factors, Options, Solution, solve_on};
 use glam::DVec3;
 
 /// This suite.

@@ -6,12 +6,15 @@
 //! The truth is smooth light that errs by far less than what is told. How far it may be off
 //! itself, its certificate says: that is by rays, and trusts no mesh.
 
+use crate::certificate::{Sampling, certify};
 use crate::chart::Verdict;
+use crate::field::{Smooth, smooth};
 use crate::geometry::Rgb;
 use crate::mesh::{ElementId, Mesh};
 use crate::random::Stream;
 use crate::scene::Scene;
-use crate::solve::{Ledger, Sampling, Smooth, certify, resolution_for, smooth};
+use crate::solution::resolution_for;
+use crate::solve::Ledger;
 use glam::DVec3;
 
 /// Light as it is shown: linear between the vertices of a mesh.

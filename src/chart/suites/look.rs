@@ -3,13 +3,14 @@
 
 use super::truth::Truth;
 use crate::chart::{Contest, Method, Work};
+use crate::field::gather_unbiased;
 use crate::film::{Picture, Shot};
 use crate::geometry::{Frame, Polygon, Ray, Rgb};
 use crate::mesh::Mesh;
 use crate::random::Stream;
 use crate::raster::View;
 use crate::scene::{Scene, built_in};
-use crate::solve::{Ask, Solution, automatic, gather_unbiased, resolution_for};
+use crate::solution::{Ask, Solution, automatic, resolution_for};
 use crate::specular::{Branching, Carries, Met, Specular};
 use crate::trace::{Limits, Options, PathTracer, Strategy, TwoPass, Whitted};
 use glam::DVec3;

@@ -3,17 +3,19 @@
 
 use super::field::{Light, Truth};
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
+use crate::field::smooth;
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::hemicube::Hemicube;
 use crate::form_factor::{FormFactors, Matrix};
 use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material};
 use crate::mesh::{Element, Mesh};
+use crate::room::Direct;
 use crate::scene::{Face, MaterialId, Scene, built_in};
+use crate::solution::resolution_for;
 use crate::solve::hierarchy::{HierarchyOptions, Link, solve_hierarchy};
 use crate::solve::{
     Enclosure, GaussSeidel, OnElements, Oracle, Solver, Substructure, contraction,
-    resolution_for, smooth,
 };
 
 /// This suite.
@@ -246,12 +248,16 @@ impl<'a> Rounds<'a> {
             cube.at(e.polygon.centroid(), e.polygon.normal(), row)
         };
         let mut both = Substructure::new(self.scene, self.patches.clone(), &sees);
+        let direct = Direct::of(self.scene);
         let mut done = Vec::new();
         loop {
             let light = both.solve(1e-4);
             let marks = match self.oracle {
                 None => vec![true; both.mesh().elements.len()],
-                Some(oracle) => oracle.marks(self.scene, both.mesh(), &light.radiosity),
+                Some(oracle) => {
+                    let rise = |e: &Element| direct.rise(&e.polygon);
+                    oracle.marks(self.scene, both.mesh(), &light.radiosity, &rise)
+                }
             };
             let (mesh, factors) = (both.mesh().clone(), both.factors_computed());
             done.push(Round { mesh, light, factors });

@@ -7,7 +7,7 @@ use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
 use crate::film::{Picture, Shot};
 use crate::mesh::Mesh;
 use crate::scene::built_in;
-use crate::solve::{Options, solve_on};
+use crate::solution::{Options, solve_on};
 use crate::trace::Strategy;
 
 /// This suite.

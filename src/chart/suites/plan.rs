@@ -5,13 +5,13 @@
 //! beforehand, and must prove that it suffices; so the best in hindsight is certified, too.
 
 use super::field::{Light, Truth};
+use crate::certificate::{Certificate, Sampling, certify};
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
+use crate::field::{Resolution, smooth};
 use crate::mesh::{Element, ElementId};
 use crate::plan::{Plan, Planned};
 use crate::scene::{Scene, built_in};
-use crate::solve::{
-    Ask, Certificate, Pass, Resolution, Sampling, certify, sampling_for, smooth,
-};
+use crate::solution::{Ask, Pass, sampling_for};
 use glam::DVec3;
 use std::cell::RefCell;
 

@@ -7,6 +7,7 @@
 //! Nothing is judged here: errors stand as NaN.
 
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
+use crate::field::smooth;
 use crate::film::Shot;
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::hemicube::Hemicube;
@@ -15,8 +16,9 @@ use crate::geometry::{Frame, Polygon, Ray, Rgb};
 use crate::mesh::{ElementId, Mesh};
 use crate::random::Stream;
 use crate::scene::{Face, MaterialId, Scene, built_in};
+use crate::solution::resolution_for;
 use crate::solve::hierarchy::{HierarchyOptions, Link, solve_hierarchy};
-use crate::solve::{Enclosure, GaussSeidel, Solver, resolution_for, smooth};
+use crate::solve::{Enclosure, GaussSeidel, Solver};
 use crate::visibility::Visibility;
 
 /// This suite.

@@ -36,11 +36,12 @@ mod tree;
 pub use link::Link;
 pub use tree::{Forest, Node, NodeId};
 
-use super::{Enclosure, Ledger, Progress, error_bound};
+use super::{Enclosure, Ledger, error_bound};
 use crate::form_factor::{Blockers, Sight};
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
+use crate::work::Progress;
 use glam::DMat3;
 use link::{Allowed, Verdict, reflecting};
 use rayon::prelude::*;

@@ -7,7 +7,7 @@ use crate::geometry::{Ray, Rgb};
 use crate::random::Stream;
 use crate::raster::View;
 use crate::scene::{FaceId, Side};
-use crate::solve::Progress;
+use crate::work::Progress;
 use glam::{DVec3, dvec2};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -6,8 +6,8 @@ use super::super::{Found, Sweep, curve};
 use glam::{DVec3, dvec3};
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::mesh::{Element, Mesh};
+use radiosity::room::Direct;
 use radiosity::scene::Scene;
-use radiosity::solve::Direct;
 
 /// A floor of 1 with a wall on it at `x`, beyond which all is dark: the lamp hangs on
 /// the left of it, and lower than the wall is high.

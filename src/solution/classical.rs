@@ -1,10 +1,6 @@
 //! Pass 1 as a whole: mesh, factors, solver, certificate - and finer, until it suffices.
 
-use super::hierarchy::{Hierarchical, HierarchyOptions, solve_hierarchy};
-use super::{
-    Brightest, Certificate, Enclosure, GaussSeidel, Ledger, Sampling, Shoot, Solver,
-    Step, certify, contraction, error_bound,
-};
+use crate::certificate::{Certificate, Sampling, certify};
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::cast::Cast;
 use crate::form_factor::hemicube::Hemicube;
@@ -12,9 +8,15 @@ use crate::form_factor::{Cached, FormFactors};
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
+use crate::solve::hierarchy::{Hierarchical, HierarchyOptions, solve_hierarchy};
+use crate::solve::{
+    Brightest, Enclosure, GaussSeidel, Ledger, Shoot, Solver, Step, contraction,
+    error_bound,
+};
 use crate::virtual_world::{
     ExtendedAnalytic, ExtendedCast, ExtendedHemicube, VirtualWorld,
 };
+use crate::work::Progress;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// How the equation is solved.
@@ -79,9 +81,6 @@ impl Default for Options {
         }
     }
 }
-
-/// How far a computation has come: what it does, steps done, steps in all.
-pub type Progress<'a> = &'a (dyn Fn(&'static str, usize, usize) + Sync);
 
 /// The light of a scene.
 #[derive(Clone, Debug)]

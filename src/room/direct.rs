@@ -137,6 +137,24 @@ impl<'a> Direct<'a> {
         }
     }
 
+    /// By how much the lamps' own light changes over an element, W/m²; 0 where nothing can
+    /// hide them: there the gradient says enough.
+    // ANCHOR: rise
+    pub fn rise(&self, element: &Polygon) -> Rgb {
+        let light = self.on(element);
+        if light.is_free() {
+            return Rgb::ZERO;
+        }
+        let middle = element.centroid();
+        // A hair inwards: a corner may lie in the plane of what stands there.
+        let corners = element.vertices().iter().map(|v| v.lerp(middle, 1e-3));
+        let values = corners.chain([middle]).map(|x| light.irradiance(x));
+        let none = [Rgb::INFINITY, Rgb::NEG_INFINITY];
+        let [low, high] = values.fold(none, |[low, high], v| [low.min(v), high.max(v)]);
+        high - low
+    }
+    // ANCHOR_END: rise
+
     /// The light on `piece`, a part of a surface: only what reaches into the shafts between
     /// it and the emitters is asked about.
     pub fn on(&self, piece: &Polygon) -> OnPiece<'_> {

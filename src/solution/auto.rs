@@ -1,11 +1,12 @@
 //! Pass 1 as it is asked for by an error: resolve, certify, and finer until it suffices.
 
-use super::{
-    Certificate, Progress, Resolution, Sampling, Smooth, Solution, certify, smooth,
-};
+use super::Solution;
+use crate::certificate::{Certificate, Sampling, certify};
+use crate::field::{Resolution, Smooth, smooth};
 use crate::geometry::Rgb;
 use crate::mesh::ElementId;
 use crate::scene::Scene;
+use crate::work::Progress;
 use glam::DVec3;
 
 /// What a solution must reach, and what it may cost.

@@ -27,10 +27,12 @@ mod onward;
 mod system;
 
 use super::refine::{Ask, Refinement};
-use super::{Direct, Ledger, Progress};
 use crate::geometry::Rgb;
 use crate::mesh::{Backs, Element, Mesh, Place};
+use crate::room::Direct;
 use crate::scene::Scene;
+use crate::solve::Ledger;
+use crate::work::Progress;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use system::System;

@@ -11,11 +11,11 @@
 //!
 //! Sources: Kajiya 1986; Ward, Rubinstein & Clear 1988 (gathering backwards).
 
-use super::{Direct, OnPiece};
 use crate::form_factor::ray_from;
 use crate::geometry::{Frame, Rgb};
 use crate::mesh::Mesh;
 use crate::random::Stream;
+use crate::room::{Direct, OnPiece};
 use crate::scene::Scene;
 use crate::specular::{Arrival, Branching, Carries, Met, Specular};
 use glam::DVec3;

@@ -17,7 +17,7 @@
 //! a quarter, that no lamp is near.
 
 use crate::geometry::Rgb;
-use crate::mesh::{Element, Mesh};
+use crate::mesh::{Element, Mesh, TwoLevels, VertexId};
 use crate::scene::Scene;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -70,68 +70,84 @@ const SMALLEST: f64 = 1e-9;
 const SHORTEST: f64 = 1e-6;
 
 impl Refinement<'_> {
-    /// The mesh split until it suffices, and the light at its vertices.
-    pub fn run(&self, mesh: Mesh) -> (Mesh, Vec<Rgb>) {
-        self.run_from(mesh, Vec::new(), Vec::new())
+    /// The elements of the patches split until they suffice, and the light at their
+    /// vertices.
+    pub fn run<'m>(&self, patches: &'m Mesh) -> (TwoLevels<'m>, Vec<Rgb>) {
+        self.run_from(patches, Vec::new(), Vec::new())
     }
 
-    /// The same, when the `light` at the places that were `asked`, one for each vertex, is
-    /// known.
-    pub fn run_from(
+    /// The same, when the `light` at the places that were `asked`, one for each corner of
+    /// the patches, is known.
+    pub fn run_from<'m>(
         &self,
-        mut mesh: Mesh,
+        patches: &'m Mesh,
         mut asked: Vec<DVec3>,
         mut light: Vec<Rgb>,
-    ) -> (Mesh, Vec<Rgb>) {
-        let total: f64 = mesh.polygons().map(|p| p.area()).sum();
-        self.ask_vertices(&mesh, &mut asked, &mut light);
-        let mut known: HashMap<[u32; 3], f64> = HashMap::new();
+    ) -> (TwoLevels<'m>, Vec<Rgb>) {
+        let mut levels = TwoLevels::undivided(patches);
+        let total: f64 = patches.polygons().map(|p| p.area()).sum();
+        self.ask_vertices(levels.elements(), &mut asked, &mut light);
+        let mut known = HashMap::new();
         let most_in_vain = IN_VAIN[(self.ask == Ask::All) as usize];
         let (mut least, mut in_vain) = (f64::INFINITY, 0);
         loop {
-            let name = |e: &Element| [0, 1, 2].map(|k| e.corners[k].0);
-            let new: Vec<usize> = (0..mesh.elements.len())
-                .filter(|&k| !known.contains_key(&name(&mesh.elements[k])))
-                .collect();
-            let found: Vec<f64> = new
-                .par_iter()
-                .map(|&k| self.error(&mesh, &mesh.elements[k], &light))
-                .collect();
-            known.extend(new.iter().map(|&k| name(&mesh.elements[k])).zip(found));
-            let mut errors: Vec<(f64, usize)> =
-                (0..).zip(&mesh.elements).map(|(k, e)| (known[&name(e)], k)).collect();
-            let sum: f64 = errors.iter().map(|e| e.0).sum();
+            let mesh = levels.elements();
+            let errors = self.errors(mesh, &light, &mut known);
+            let sum: f64 = errors.iter().sum();
             in_vain = if sum > NO_GAIN * least { in_vain + 1 } else { 0 };
             least = sum.min(least);
             let enough = sum <= self.target * self.target || in_vain == most_in_vain;
             if enough || mesh.elements.len() >= self.most {
-                return (mesh, light);
+                return (levels, light);
             }
-            let shortest = SHORTEST * total.sqrt();
-            errors.retain(|&(_, k)| {
-                let polygon = &mesh.elements[k].polygon;
-                polygon.area() > SMALLEST * total
-                    && polygon.edges().all(|(a, b)| a.distance(b) > shortest)
-            });
-            errors.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-            let mut marks = vec![false; mesh.elements.len()];
-            let mut marked = 0.0;
-            // Each that is split leaves three more, and its neighbours' balance some.
-            let room = (self.most - mesh.elements.len()).div_ceil(3);
-            for (error, k) in errors.into_iter().take(room) {
-                if marked > 0.6 * sum {
-                    break;
-                }
-                marked += error;
-                marks[k] = error > 0.0;
-            }
+            let mut marks = self.largest(mesh, &errors, total);
             if !marks.contains(&true) {
-                return (mesh, light);
+                return (levels, light);
             }
             mesh.mark_backs(self.scene, &mut marks);
-            mesh = mesh.split(&marks);
-            self.ask_vertices(&mesh, &mut asked, &mut light);
+            levels = levels.split(&marks);
+            self.ask_vertices(levels.elements(), &mut asked, &mut light);
         }
+    }
+
+    /// The square of the error of each element; what is `known` is not looked for again.
+    fn errors(
+        &self,
+        mesh: &Mesh,
+        light: &[Rgb],
+        known: &mut HashMap<[VertexId; 3], f64>,
+    ) -> Vec<f64> {
+        let name = |e: &Element| [0, 1, 2].map(|k| e.corners[k]);
+        let new: Vec<&Element> =
+            mesh.elements.iter().filter(|e| !known.contains_key(&name(e))).collect();
+        let found: Vec<f64> =
+            new.par_iter().map(|e| self.error(mesh, e, light)).collect();
+        known.extend(new.iter().map(|e| name(e)).zip(found));
+        mesh.elements.iter().map(|e| known[&name(e)]).collect()
+    }
+
+    /// Marks the elements that make up 60 % of the square of the error, the worst first.
+    fn largest(&self, mesh: &Mesh, errors: &[f64], total: f64) -> Vec<bool> {
+        let shortest = SHORTEST * total.sqrt();
+        let divisible = |k: &usize| {
+            let polygon = &mesh.elements[*k].polygon;
+            polygon.area() > SMALLEST * total
+                && polygon.edges().all(|(a, b)| a.distance(b) > shortest)
+        };
+        let mut order: Vec<usize> = (0..errors.len()).filter(divisible).collect();
+        order.sort_by(|&a, &b| errors[b].total_cmp(&errors[a]).then(a.cmp(&b)));
+        let (sum, mut marked) = (errors.iter().sum::<f64>(), 0.0);
+        let mut marks = vec![false; errors.len()];
+        // Each that is split leaves three more, and its neighbours' balance some.
+        let room = (self.most - errors.len()).div_ceil(3);
+        for k in order.into_iter().take(room) {
+            if marked > 0.6 * sum {
+                break;
+            }
+            marked += errors[k];
+            marks[k] = errors[k] > 0.0;
+        }
+        marks
     }
 
     /// Asks for the light at the vertices, but where it is known already.

@@ -12,13 +12,13 @@
 //! Sources: Max & Allison 1992 (linear radiosity by vertex hemicubes).
 
 use super::Lost;
+use super::coordinates::{InView, PatchCoordinates};
 use super::hemicube::{Face, Weights};
 use super::painter::Painter;
 use crate::geometry::{Frame, Polygon, Rgb};
-use crate::mesh::Mesh;
+use crate::mesh::{Element, ElementId, PatchId, TwoLevels};
 use crate::raster::{ItemBuffer, Seen, View};
-use glam::{DMat4, DVec3, DVec4, dvec4};
-use std::ops::Range;
+use glam::DVec3;
 
 /// Light that is linear across a piece: the coefficients of `1, s, t, s t`, W/m².
 pub type Slopes = [Rgb; 4];
@@ -33,18 +33,19 @@ pub fn sent(b: &Slopes, m: &Moments) -> Rgb {
 }
 // ANCHOR_END: sent
 
-/// What a point sees: how much of each patch, and where.
+/// What is seen from a point, the corner of a patch as a rule: how much of each patch, and
+/// where.
 #[derive(Clone, Debug, Default)]
-pub struct Sight {
+pub struct CornerView {
     /// Each patch that is seen, with its moments.
-    pub patches: Vec<(u32, Moments)>,
+    pub patches: Vec<(PatchId, Moments)>,
     /// The patches among them (by their place in the list) that were drawn whole.
-    pub whole: Vec<u32>,
+    pub whole: Vec<usize>,
     /// The elements of all others, with their moments.
-    pub elements: Vec<(u32, Moments)>,
-    /// Where rays go on: unit directions, and what each cell counts.
-    pub onwards: Vec<(DVec3, f64)>,
-    /// Where the sky is seen.
+    pub elements: Vec<(ElementId, Moments)>,
+    /// Cells whose rays go on from a patch: unit directions, and what each cell counts.
+    pub followed: Vec<(DVec3, f64)>,
+    /// Cells that see the sky.
     pub sky: Vec<(DVec3, f64)>,
     /// The shares that reach no front.
     pub lost: Lost,
@@ -55,22 +56,20 @@ const NEAR: f64 = 1.5;
 
 /// Hemicubes that see where on a patch they look.
 pub struct Linear<'m> {
-    patches: &'m Mesh,
-    elements: &'m Mesh,
+    levels: &'m TwoLevels<'m>,
     painter: Painter<'m>,
     resolution: u32,
     weights: Weights,
-    of_patches: Vec<Chart>,
-    of_elements: Vec<Chart>,
+    on_patches: Vec<PatchCoordinates>,
+    on_elements: Vec<PatchCoordinates>,
     diameters: Vec<f64>,
-    /// Where rays go on, by patch.
-    onwards: Onwards,
+    followed: Followed,
 }
 
-/// What of a hemicube is not at its end where it is drawn.
+/// What is not the end of a ray where a hemicube sees it.
 #[derive(Clone, Debug, Default)]
-pub struct Onwards {
-    /// Patches whose fronts shine: they are drawn, and their cells told.
+pub struct Followed {
+    /// Patches whose fronts mirror, gloss or let light through.
     pub fronts: Vec<bool>,
     /// Patches that light goes through from behind.
     pub backs: Vec<bool>,
@@ -78,289 +77,227 @@ pub struct Onwards {
     pub sky: bool,
 }
 
+impl Followed {
+    fn goes_on(&self, seen: Seen, levels: &TwoLevels) -> bool {
+        let marked = |of: &[bool], id| {
+            let patch = Drawn::decode(id, levels).patch(levels);
+            of.get(patch.0 as usize).is_some_and(|&m| m)
+        };
+        match seen {
+            Seen::Nothing => self.sky,
+            Seen::Front(id) => marked(&self.fronts, id),
+            Seen::Back(id) => marked(&self.backs, id),
+        }
+    }
+}
+
+/// What a picture shows: patches have their own ids, those of elements follow.
+#[derive(Clone, Copy)]
+enum Drawn {
+    Patch(PatchId),
+    Element(ElementId),
+}
+
+impl Drawn {
+    fn id(self, levels: &TwoLevels) -> u32 {
+        match self {
+            Drawn::Patch(PatchId(k)) => k,
+            Drawn::Element(ElementId(e)) => levels.patches().elements.len() as u32 + e,
+        }
+    }
+
+    fn decode(id: u32, levels: &TwoLevels) -> Drawn {
+        match id.checked_sub(levels.patches().elements.len() as u32) {
+            None => Drawn::Patch(PatchId(id)),
+            Some(e) => Drawn::Element(ElementId(e)),
+        }
+    }
+
+    fn patch(self, levels: &TwoLevels) -> PatchId {
+        match self {
+            Drawn::Patch(patch) => patch,
+            Drawn::Element(e) => levels.elements().element(e).patch,
+        }
+    }
+}
+
+/// Sums over the faces of a hemicube.
+struct Sums {
+    /// Of every patch.
+    patches: Vec<Moments>,
+    /// Of elements, one after the other as they were found.
+    elements: Vec<(ElementId, Moments)>,
+    followed: Vec<(DVec3, f64)>,
+    sky: Vec<(DVec3, f64)>,
+    lost: Lost,
+}
+
 impl<'m> Linear<'m> {
-    /// Hemicubes of this resolution. The elements of `patches` are the patches of
-    /// `elements`, in the same order.
+    /// Hemicubes of this resolution that look at patches, and at the elements of near ones.
     ///
     /// # Panics
-    /// As [`super::hemicube::Hemicube::new`], and when the meshes do not match.
-    pub fn new(patches: &'m Mesh, elements: &'m Mesh, resolution: u32) -> Linear<'m> {
-        assert_eq!(patches.elements.len(), elements.patches.len(), "other patches");
+    /// As [`super::hemicube::Hemicube::new`].
+    pub fn new(levels: &'m TwoLevels<'m>, resolution: u32) -> Linear<'m> {
+        let patches = levels.patches();
+        let on_elements = levels.elements().polygons().map(PatchCoordinates::of);
         Linear {
-            patches,
-            elements,
+            levels,
             painter: Painter::new(patches),
             resolution,
             weights: Weights::exact(resolution),
-            of_patches: patches.polygons().map(Chart::of).collect(),
-            of_elements: elements.polygons().map(Chart::of).collect(),
+            on_patches: patches.polygons().map(PatchCoordinates::of).collect(),
+            on_elements: on_elements.collect(),
             diameters: patches.polygons().map(Polygon::diameter).collect(),
-            onwards: Onwards::default(),
+            followed: Followed::default(),
         }
     }
 
-    /// The same, telling where rays go on ([`Sight::onwards`]).
-    pub fn telling(self, onwards: Onwards) -> Linear<'m> {
-        Linear { onwards, ..self }
-    }
-
-    /// Does the ray through a cell that shows this go on?
-    fn goes_on(&self, seen: Seen) -> bool {
-        let patch =
-            |id: u32| match (id as usize).checked_sub(self.patches.elements.len()) {
-                None => id as usize,
-                Some(e) => self.elements.elements[e].patch.0 as usize,
-            };
-        let marked = |of: &[bool], id| of.get(patch(id)).is_some_and(|&m| m);
-        match seen {
-            Seen::Nothing => self.onwards.sky,
-            Seen::Front(id) => marked(&self.onwards.fronts, id),
-            Seen::Back(id) => marked(&self.onwards.backs, id),
-        }
+    /// The same, telling where rays go on ([`CornerView::followed`]).
+    pub fn following(self, followed: Followed) -> Linear<'m> {
+        Linear { followed, ..self }
     }
 
     /// What a point with this unit normal sees.
-    pub fn seen_from(&self, point: DVec3, normal: DVec3) -> Sight {
-        let patches = self.patches.elements.len();
-        let near = |k: usize| {
-            let middle = self.of_patches[k].middle;
-            point.distance_squared(middle) < (NEAR * self.diameters[k]).powi(2)
+    pub fn seen_from(&self, point: DVec3, normal: DVec3) -> CornerView {
+        let all = 0..self.on_patches.len() as u32;
+        let in_parts: Vec<bool> =
+            all.map(|k| self.is_seen_in_parts(PatchId(k), point)).collect();
+        let drawn = self.drawn(&in_parts);
+        let mut sums = Sums {
+            patches: vec![[0.0; 4]; in_parts.len()],
+            elements: Vec::new(),
+            followed: Vec::new(),
+            sky: Vec::new(),
+            lost: Lost::default(),
         };
-        // Patches have their own ids, the elements of near ones follow.
-        let mut ids: Vec<(u32, &Polygon)> = Vec::with_capacity(patches);
-        for (k, patch) in self.patches.elements.iter().enumerate() {
-            let elements = &self.elements.patches[k].elements;
-            if elements.len() > 1 && near(k) {
-                let part = |e: u32| {
-                    (patches as u32 + e, &self.elements.elements[e as usize].polygon)
-                };
-                ids.extend(elements.clone().map(part));
-            } else {
-                ids.push((k as u32, &patch.polygon));
-            }
-        }
-        let mut of_patches = vec![[0.0; 4]; patches];
-        let mut of_elements: Vec<(u32, Moments)> = Vec::new();
-        let (mut onwards, mut sky) = (Vec::new(), Vec::new());
-        let mut lost = Lost::default();
         let frame = Frame::about(normal);
         self.painter.with_buffer(|buffer| {
             for face in Face::ALL {
                 let (width, height) = face.size(self.resolution);
                 let view = face.view(point, &frame);
                 buffer.reset(width, height);
-                ids.iter().for_each(|&(id, polygon)| buffer.draw(&view, polygon, id));
-                let weights = self.weights.of(face);
-                for (seen, first, end) in buffer.runs() {
-                    let goes_on = self.goes_on(seen);
-                    if goes_on {
-                        let into = match seen {
-                            Seen::Nothing => &mut sky,
-                            _ => &mut onwards,
-                        };
-                        into.extend((first..end).map(|cell| {
-                            let (x, y) = (cell as u32 % width, cell as u32 / width);
-                            let at = View::pixel_centre(x, y, width, height);
-                            (view.direction(at).normalize(), weights[cell])
-                        }));
-                    }
-                    let share = || weights[first..end].iter().sum::<f64>();
-                    let id = match seen {
-                        Seen::Nothing | Seen::Back(_) if goes_on => continue,
-                        Seen::Nothing => {
-                            lost.escaped += share();
-                            continue;
-                        }
-                        Seen::Back(_) => {
-                            lost.absorbed += share();
-                            continue;
-                        }
-                        Seen::Front(id) => id as usize,
-                    };
-                    let found = |chart, polygon| {
-                        Found::new(&view, polygon, chart).moments(
-                            buffer,
-                            weights,
-                            first..end,
-                        )
-                    };
-                    let patch = match id.checked_sub(patches) {
-                        None => id,
-                        Some(e) => {
-                            let element = &self.elements.elements[e];
-                            let m = found(&self.of_elements[e], &element.polygon);
-                            of_elements.push((e as u32, m));
-                            element.patch.0 as usize
-                        }
-                    };
-                    let polygon = &self.patches.elements[patch].polygon;
-                    add(
-                        &mut of_patches[patch],
-                        found(&self.of_patches[patch], polygon),
-                    );
-                }
+                drawn.iter().for_each(|&(id, polygon)| buffer.draw(&view, polygon, id));
+                self.add_cells(&view, buffer, self.weights.of(face), &mut sums);
             }
         });
-        of_elements.sort_unstable_by_key(|e| e.0);
-        of_elements.dedup_by(|next, kept| {
+        sums.view(&in_parts)
+    }
+
+    /// Is the patch so near to the point that its elements are to be told apart?
+    fn is_seen_in_parts(&self, id: PatchId, point: DVec3) -> bool {
+        let distance_squared = point.distance_squared(self.on_patches[id].middle);
+        self.levels.is_divided(id)
+            && distance_squared < (NEAR * self.diameters[id]).powi(2)
+    }
+
+    /// What is drawn, with its ids: patches, or the elements of those seen in parts.
+    fn drawn(&self, in_parts: &[bool]) -> Vec<(u32, &'m Polygon)> {
+        let mut drawn = Vec::with_capacity(in_parts.len());
+        for (k, &in_parts) in (0u32..).zip(in_parts) {
+            let patch = PatchId(k);
+            if in_parts {
+                let elements = self.levels.elements_of(patch);
+                drawn.extend(elements.map(|(e, element)| {
+                    (Drawn::Element(e).id(self.levels), &element.polygon)
+                }));
+            } else {
+                let id = Drawn::Patch(patch).id(self.levels);
+                drawn.push((id, &self.levels.patch(patch).polygon));
+            }
+        }
+        drawn
+    }
+
+    /// Adds up what the cells of one face show.
+    fn add_cells(
+        &self,
+        view: &View,
+        cells: &ItemBuffer,
+        weights: &[f64],
+        sums: &mut Sums,
+    ) {
+        for (seen, first, end) in cells.runs() {
+            let goes_on = self.followed.goes_on(seen, self.levels);
+            if goes_on {
+                let (width, height) = (cells.width(), cells.height());
+                let cell = |cell: usize| {
+                    let (x, y) = (cell as u32 % width, cell as u32 / width);
+                    let at = View::pixel_centre(x, y, width, height);
+                    (view.direction(at).normalize(), weights[cell])
+                };
+                let into = match seen {
+                    Seen::Nothing => &mut sums.sky,
+                    _ => &mut sums.followed,
+                };
+                into.extend((first..end).map(cell));
+            }
+            let share = || weights[first..end].iter().sum::<f64>();
+            match seen {
+                Seen::Nothing | Seen::Back(_) if goes_on => {}
+                Seen::Nothing => sums.lost.escaped += share(),
+                Seen::Back(_) => sums.lost.absorbed += share(),
+                Seen::Front(id) => {
+                    let drawn = Drawn::decode(id, self.levels);
+                    let moments = |piece: &Element, coordinates| {
+                        let piece = InView::new(view, &piece.polygon, coordinates);
+                        piece.moments(cells, weights, first..end)
+                    };
+                    if let Drawn::Element(e) = drawn {
+                        let element = self.levels.elements().element(e);
+                        sums.elements.push((e, moments(element, &self.on_elements[e])));
+                    }
+                    let k = drawn.patch(self.levels);
+                    let of_patch = moments(self.levels.patch(k), &self.on_patches[k]);
+                    add(&mut sums.patches[k], of_patch);
+                }
+            }
+        }
+    }
+
+    /// The light of a patch that has these values at its corners.
+    pub fn of_patch(&self, id: PatchId, of_vertices: &[Rgb]) -> Slopes {
+        let corners = &self.levels.patch(id).corners;
+        self.on_patches[id].slopes(corners.iter().map(|&c| of_vertices[c]))
+    }
+
+    /// The moments of a ray that meets a patch at `p`.
+    pub fn moments_at(&self, id: PatchId, p: DVec3) -> Moments {
+        let (s, t) = self.on_patches[id].place(p);
+        [1.0, s, t, s * t]
+    }
+
+    /// The light of an element that has these values at its corners.
+    pub fn of_element(&self, id: ElementId, of_vertices: &[Rgb]) -> Slopes {
+        let corners = &self.levels.elements().element(id).corners;
+        self.on_elements[id].slopes(corners.iter().map(|&c| of_vertices[c]))
+    }
+
+    /// The mean over a patch of light with these slopes.
+    pub fn mean(&self, id: PatchId, b: &Slopes) -> Rgb {
+        b[0] + self.on_patches[id].mean_product * b[3]
+    }
+}
+
+impl Sums {
+    /// The sums as a view in which those patches are `in_parts`.
+    fn view(self, in_parts: &[bool]) -> CornerView {
+        let Sums { patches, mut elements, followed, sky, lost } = self;
+        elements.sort_unstable_by_key(|e| e.0);
+        elements.dedup_by(|next, kept| {
             let same = next.0 == kept.0;
             if same {
                 add(&mut kept.1, next.1);
             }
             same
         });
-        let seen = (0u32..).zip(of_patches).filter(|(_, m)| m[0] != 0.0);
-        let seen: Vec<(u32, Moments)> = seen.collect();
-        let is_whole =
-            |k: usize| self.elements.patches[k].elements.len() <= 1 || !near(k);
-        let whole = (0u32..).zip(&seen).filter(|(_, (k, _))| is_whole(*k as usize));
-        let whole = whole.map(|(place, _)| place).collect();
-        Sight { patches: seen, whole, elements: of_elements, onwards, sky, lost }
-    }
-
-    /// The light of patch `k` that has these values at its corners.
-    pub fn of_patch(&self, k: usize, of_vertices: &[Rgb]) -> Slopes {
-        let corners = &self.patches.elements[k].corners;
-        self.of_patches[k].slopes(corners.iter().map(|c| of_vertices[c.0 as usize]))
-    }
-
-    /// The moments of a ray that meets patch `k` at `p`.
-    pub fn moments_at(&self, k: usize, p: DVec3) -> Moments {
-        let (s, t) = self.of_patches[k].place(p);
-        [1.0, s, t, s * t]
-    }
-
-    /// The light of element `k` that has these values at its corners.
-    pub fn of_element(&self, k: usize, of_vertices: &[Rgb]) -> Slopes {
-        let corners = &self.elements.elements[k].corners;
-        self.of_elements[k].slopes(corners.iter().map(|c| of_vertices[c.0 as usize]))
-    }
-
-    /// The mean over patch `k` of light with these slopes.
-    pub fn mean(&self, k: usize, b: &Slopes) -> Rgb {
-        b[0] + self.of_patches[k].mean_product * b[3]
+        let ids = (0..).map(PatchId);
+        let seen = ids.zip(patches).filter(|(_, m)| m[0] != 0.0);
+        let patches: Vec<(PatchId, Moments)> = seen.collect();
+        let whole = (0..patches.len()).filter(|&place| !in_parts[patches[place].0]);
+        CornerView { whole: whole.collect(), patches, elements, followed, sky, lost }
     }
 }
 
 fn add(sum: &mut Moments, m: Moments) {
     sum.iter_mut().zip(m).for_each(|(sum, m)| *sum += m);
-}
-
-/// Coordinates `s`, `t` on a patch, from −1 to 1 on a parallelogram.
-struct Chart {
-    middle: DVec3,
-    along: DVec3,
-    across: DVec3,
-    /// For each corner, what its value adds to the four coefficients.
-    fit: Vec<DVec4>,
-    /// The mean of `s t` over the patch; those of `s` and `t` are 0.
-    mean_product: f64,
-}
-
-impl Chart {
-    fn place(&self, p: DVec3) -> (f64, f64) {
-        let from_middle = p - self.middle;
-        (self.along.dot(from_middle), self.across.dot(from_middle))
-    }
-
-    fn of(polygon: &Polygon) -> Chart {
-        let (v, n, middle) = (polygon.vertices(), polygon.normal(), polygon.centroid());
-        let u = 0.5 * (v[1] - v[0]);
-        let w = if v.len() == 4 { 0.5 * (v[3] - v[0]) } else { n.cross(u) };
-        let (along, across) = (w.cross(n), n.cross(u));
-        let (along, across) = (along / along.dot(u), across / across.dot(w));
-        let place = |p: DVec3| (along.dot(p - middle), across.dot(p - middle));
-        let basis = |p: DVec3| {
-            let (s, t) = place(p);
-            dvec4(1.0, s, t, if v.len() > 3 { s * t } else { 0.0 })
-        };
-        // Least squares over the corners; for a quadrilateral they are met exactly.
-        let mut normal = DMat4::ZERO;
-        for &corner in v {
-            let b = basis(corner);
-            normal += DMat4::from_cols(b.x * b, b.y * b, b.z * b, b.w * b);
-        }
-        if v.len() == 3 {
-            normal.w_axis.w = 1.0;
-        }
-        let regular = normal.determinant() > 1e-9;
-        let inverse = normal.inverse();
-        let fit = |corner: DVec3| {
-            if regular { inverse * basis(corner) } else { DVec4::X / v.len() as f64 }
-        };
-        let product = |[a, b, c]: [DVec3; 3]| {
-            let [(s0, t0), (s1, t1), (s2, t2)] = [a, b, c].map(place);
-            let area = 0.5 * (b - a).cross(c - a).dot(n);
-            let sums = (s0 + s1 + s2) * (t0 + t1 + t2);
-            area / 12.0 * (s0 * t0 + s1 * t1 + s2 * t2 + sums)
-        };
-        let triangles = (1..v.len() - 1).map(|k| [v[0], v[k], v[k + 1]]);
-        Chart {
-            middle,
-            along,
-            across,
-            fit: v.iter().map(|&corner| fit(corner)).collect(),
-            mean_product: triangles.map(product).sum::<f64>() / polygon.area(),
-        }
-    }
-}
-
-impl Chart {
-    fn slopes(&self, of_corners: impl Iterator<Item = Rgb>) -> Slopes {
-        let mut b = [Rgb::ZERO; 4];
-        for (value, weights) in of_corners.zip(&self.fit) {
-            for (b, weight) in b.iter_mut().zip(weights.to_array()) {
-                *b += weight * value;
-            }
-        }
-        b
-    }
-}
-
-/// A patch as it stands in a picture: `s = s₀ + α·(x, y, 1)/η·(x, y, 1)`.
-struct Found {
-    s: (f64, DVec3),
-    t: (f64, DVec3),
-    nearness: DVec3,
-}
-
-impl Found {
-    fn new(view: &View, polygon: &Polygon, chart: &Chart) -> Found {
-        let from_middle = view.eye() - chart.middle;
-        let of = |axis: DVec3| (axis.dot(from_middle), view.plane_from_world(axis));
-        let height = polygon.plane().height(view.eye());
-        let nearness = -view.plane_from_world(polygon.normal()) / height;
-        Found { s: of(chart.along), t: of(chart.across), nearness }
-    }
-
-    /// The moments of the cells `run`.
-    fn moments(
-        &self,
-        cells: &ItemBuffer,
-        weights: &[f64],
-        run: Range<usize>,
-    ) -> Moments {
-        let (width, height) = (cells.width() as usize, cells.height());
-        let (mut m, mut start) = ([0.0; 4], run.start);
-        while start < run.end {
-            let row = start / width;
-            let end = run.end.min((row + 1) * width);
-            let column = (start - row * width) as u32;
-            let at = View::pixel_centre(column, row as u32, width as u32, height);
-            let (mut x, step) = (at.x, 2.0 / width as f64);
-            for &weight in &weights[start..end] {
-                let place = DVec3::new(x, at.y, 1.0);
-                let depth = self.nearness.dot(place).recip();
-                let s = (self.s.0 + depth * self.s.1.dot(place)).clamp(-1.5, 1.5);
-                let t = (self.t.0 + depth * self.t.1.dot(place)).clamp(-1.5, 1.5);
-                m[0] += weight;
-                m[1] += weight * s;
-                m[2] += weight * t;
-                m[3] += weight * s * t;
-                x += step;
-            }
-            start = end;
-        }
-        m
-    }
 }

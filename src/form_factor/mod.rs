@@ -29,6 +29,7 @@ mod bounds;
 pub mod cast;
 mod close;
 mod contour;
+mod coordinates;
 mod glance;
 pub mod hemicube;
 pub mod hybrid;

@@ -19,6 +19,7 @@
 //! | [`Mesh::uniform`] | a solution of even fineness is asked | a shadow edge is sharper   |
 //! | [`Mesh::patched`] | patches are to be split later on     | they stay whole            |
 //! | [`Mesh::split`]   | some elements are too large          | the wrong ones are chosen  |
+//! | [`TwoLevels`]     | few patches send, many elements show | both must be as fine       |
 //!
 //! **Not here:** which elements to split ([`crate::solve`]). Chapters *The pipeline* (L08)
 //! and *Patches and elements* (L11, L12). Sources: Cohen, Greenberg, Immel & Brock 1986
@@ -29,16 +30,21 @@ mod backs;
 mod build;
 mod contact;
 mod grid;
+mod ids;
 mod interpolate;
+mod levels;
 mod place;
 mod split;
 
 pub use backs::Backs;
+pub use ids::{ElementId, PatchId, VertexId};
 pub use interpolate::wachspress;
+pub use levels::TwoLevels;
 pub use place::Place;
 pub use split::quarters;
 
 use crate::geometry::{Polygon, Rgb};
+use crate::material::Material;
 use crate::scene::{Face, FaceError, FaceId, MaterialId, Scene, Side, Surface};
 use anchor::Anchor;
 use build::Builder;
@@ -46,18 +52,6 @@ use contact::Planes;
 use glam::DVec3;
 use std::ops::Range;
 use std::sync::Arc;
-
-/// Which patch of a [`Mesh`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct PatchId(pub u32);
-
-/// Which element of a [`Mesh`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct ElementId(pub u32);
-
-/// Which corner value of a [`Mesh`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct VertexId(pub u32);
 
 /// A piece of a surface of the scene.
 #[derive(Clone, Debug)]
@@ -198,6 +192,11 @@ impl Mesh {
     /// The patch that `element` is part of.
     pub fn patch_of(&self, element: &Element) -> &Patch {
         &self.patches[element.patch.0 as usize]
+    }
+
+    /// What the element is made of.
+    pub fn material<'s>(&self, scene: &'s Scene, element: &Element) -> &'s Material {
+        &scene.materials[self.patch_of(element).material.0 as usize]
     }
 
     /// The area of a patch: the sum of its elements', scene units squared.

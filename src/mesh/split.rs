@@ -27,7 +27,10 @@ impl Mesh {
     }
 
     /// The same elements and vertices, each element a patch of its own.
-    pub fn with_elements_as_patches(&self) -> Mesh {
+    pub(super) fn with_elements_as_patches(&self) -> Mesh {
+        if self.patches.iter().all(|patch| patch.elements.len() == 1) {
+            return self.clone();
+        }
         let mut builder = Builder::over(self);
         for element in &self.elements {
             let patch = self.patch_of(element).clone();

@@ -22,13 +22,16 @@
 //! 1992 (linear elements); Lischinski, Tampieri & Greenberg 1993 (a last gather at the
 //! vertices).
 
+mod account;
 mod anderson;
-mod onward;
+mod first_bounce;
+mod patches;
+mod specular;
 mod system;
 
 use super::refine::{Ask, Refinement};
 use crate::geometry::Rgb;
-use crate::mesh::{Backs, Element, Mesh, Place};
+use crate::mesh::{Backs, Element, Mesh, TwoLevels};
 use crate::room::Direct;
 use crate::scene::Scene;
 use crate::solve::Ledger;
@@ -79,8 +82,7 @@ pub struct Smooth {
 impl Smooth {
     /// `B = E + ρ H + τ H_behind`, W/m², of `element` for these two.
     pub fn radiosity(&self, scene: &Scene, element: &Element, h: [Rgb; 2]) -> Rgb {
-        let material =
-            &scene.materials[self.mesh.patch_of(element).material.0 as usize];
+        let material = self.mesh.material(scene, element);
         let through = material.translucence() * h[1];
         material.emission() + material.diffuse() * h[0] + through
     }
@@ -103,28 +105,27 @@ const MOST_ROUNDS: usize = 1000;
 /// Finds the light of a scene.
 pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
     let direct = Direct::of(scene);
-    let lamps = Lamps { scene, direct: &direct, how };
+    let summed = DirectLight { scene, direct: &direct, how };
     let patches = Mesh::patched(scene, how.patch);
     progress("direct light", 0, 2);
-    let scale = lamps.scale(&patches);
-    let (fine, light) = lamps.on(&patches, 2.0 * how.direct, scale);
-    let mut system =
-        System::new(scene, &patches, (&fine, &light), &direct, how.hemicube);
+    let scale = summed.scale(&patches);
+    let (levels, light) = summed.on(&patches, 2.0 * how.direct, scale);
+    let mut system = System::new(scene, &levels, &light, &direct, how.hemicube);
     let looks = AtomicUsize::new(system.look(how.reflected.is_finite(), progress));
     let light = reflected_light(scene, &mut system, how, &looks, progress);
 
     progress("direct light", 1, 2);
-    let receivers = light.mesh.with_elements_as_patches();
-    let (mesh, mut irradiance) = lamps.on(&receivers, how.direct, light.scale);
-    for place in mesh.places(0.0).iter().enumerate() {
-        let (k, Some(Place { element, .. })) = place else { continue };
-        let whole = mesh.elements[*element as usize].patch;
-        let whole = &light.mesh.elements[whole.0 as usize];
-        irradiance[k] += light.mesh.value_at(whole, mesh.vertices[k], &light.on_mesh);
-    }
+    // What reflected light was split into are patches to the direct light.
+    let smooth_pieces = light.levels.elements();
+    let (levels, mut irradiance) = summed.on(smooth_pieces, how.direct, light.scale);
+    let reflected = levels.interpolated(&light.on_elements);
+    irradiance.iter_mut().zip(reflected).for_each(|(h, reflected)| *h += reflected);
     // No light is negative: what linear patches undershoot is nearer to the truth at 0.
     irradiance.iter_mut().for_each(|h| *h = h.max(Rgb::ZERO));
-    mesh.anchor(&mut irradiance);
+    levels.elements().anchor(&mut irradiance);
+    let patch_of = |e: &Element| levels.patch(e.patch).patch;
+    let patch_of = levels.elements().elements.iter().map(patch_of).collect::<Vec<_>>();
+    let mesh = levels.into_elements();
     let mut found = Smooth {
         behind: Backs::of(scene, &mesh).apply(&irradiance),
         patches: patches.elements.len(),
@@ -135,31 +136,34 @@ pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
         rounds: light.rounds,
         hemicubes: looks.into_inner(),
     };
-    let source = |e: &Element| {
-        let patch = light.mesh.elements[e.patch.0 as usize].patch;
-        patch.0 as usize
-    };
-    found.ledger = system.ledger(scene, &found, &light.on_patches, &source);
+    found.ledger = system.ledger(scene, &found, &light.on_patches, &patch_of);
     progress("direct light", 2, 2);
     found
 }
 
-/// Direct light, and how finely it is asked for.
-struct Lamps<'a> {
+/// Light straight from the emitters, and how finely it is asked for.
+struct DirectLight<'a> {
     scene: &'a Scene,
     direct: &'a Direct<'a>,
     how: &'a Resolution,
 }
 
-impl Lamps<'_> {
-    /// The direct light at the vertices of `mesh`, split until it is right to `target`.
-    fn on(&self, mesh: &Mesh, target: f64, scale: Rgb) -> (Mesh, Vec<Rgb>) {
+impl DirectLight<'_> {
+    /// The direct light at the vertices of the elements into which the patches are split
+    /// until it is right to `target`.
+    fn on<'m>(
+        &self,
+        patches: &'m Mesh,
+        target: f64,
+        scale: Rgb,
+    ) -> (TwoLevels<'m>, Vec<Rgb>) {
         let on: Vec<_> =
-            mesh.elements.par_iter().map(|e| self.direct.on(&e.polygon)).collect();
+            patches.elements.par_iter().map(|e| self.direct.on(&e.polygon)).collect();
+        let scattered = scattered(self.scene, patches);
         Refinement {
             scene: self.scene,
-            light: &|e, at| on[e.patch.0 as usize].irradiance(at),
-            reflectance: &|e| scattered(self.scene, mesh, e),
+            light: &|e, at| on[e.patch].irradiance(at),
+            reflectance: &|e| scattered[e.patch],
             ask: Ask::All,
             peaks: &|e| self.direct.peaks(&e.polygon),
             inside: JUST_INSIDE,
@@ -167,12 +171,12 @@ impl Lamps<'_> {
             target,
             most: self.how.most_elements,
         }
-        .run(mesh.clone())
+        .run(patches)
     }
 
     /// `‖ρ H_direct‖²` by the centres of the patches, and by the spots next to lamps.
     fn scale(&self, patches: &Mesh) -> Rgb {
-        let reflected = |e: &Element| {
+        let reflected = |(e, scattered): (&Element, Rgb)| {
             let light = self.direct.on(&e.polygon);
             let centre = e.polygon.centroid();
             let all = (centre, e.polygon.area());
@@ -180,27 +184,29 @@ impl Lamps<'_> {
             let squares = places.map(|(at, area)| {
                 area * light.irradiance(at.lerp(centre, JUST_INSIDE)).powf(2.0)
             });
-            scattered(self.scene, patches, e).powf(2.0) * squares.sum::<Rgb>()
+            scattered.powf(2.0) * squares.sum::<Rgb>()
         };
         // In order, so that the sum is the same at any number of threads.
-        let squares: Vec<Rgb> = patches.elements.par_iter().map(reflected).collect();
+        let scattered = scattered(self.scene, patches);
+        let pieces = patches.elements.par_iter().zip(scattered);
+        let squares: Vec<Rgb> = pieces.map(reflected).collect();
         squares.into_iter().sum()
     }
 }
 
-/// What an element of `mesh` scatters diffusely, to either side.
-fn scattered(scene: &Scene, mesh: &Mesh, e: &Element) -> Rgb {
-    scene.materials[mesh.patch_of(e).material.0 as usize].scattered()
+/// What each of these patches scatters diffusely, to either side.
+fn scattered(scene: &Scene, patches: &Mesh) -> Vec<Rgb> {
+    patches.elements.iter().map(|e| patches.material(scene, e).scattered()).collect()
 }
 
 /// Reflected light, in `H`, W/m².
-struct Reflected {
+struct Reflected<'a> {
     /// At the corners of the patches.
     on_patches: Vec<Rgb>,
     /// The patches, split where this light bends.
-    mesh: Mesh,
-    /// At the vertices of `mesh`.
-    on_mesh: Vec<Rgb>,
+    levels: TwoLevels<'a>,
+    /// At the vertices of their elements.
+    on_elements: Vec<Rgb>,
     /// `‖B − E‖²`.
     scale: Rgb,
     residual: f64,
@@ -209,37 +215,38 @@ struct Reflected {
 
 /// Solves for the light at the corners of the patches, splits them where it bends, and
 /// corrects by that what they send.
-fn reflected_light(
+fn reflected_light<'a>(
     scene: &Scene,
-    system: &mut System,
+    system: &mut System<'a>,
     how: &Resolution,
     looks: &AtomicUsize,
     progress: Progress,
-) -> Reflected {
-    let patches = system.patches();
+) -> Reflected<'a> {
+    let patches = system.mesh();
     let dark = vec![Rgb::ZERO; patches.vertices.len()];
     let (before, residual, rounds) = system.solve(how.solver, &dark, progress);
     let scale = system.reflected_light(&before);
     progress("reflected light", 0, 1);
     if how.reflected.is_infinite() {
-        let (mesh, on_mesh) = (patches.clone(), before.clone());
+        let (levels, on_elements) = (TwoLevels::undivided(patches), before.clone());
         return Reflected {
             on_patches: before,
-            mesh,
-            on_mesh,
+            levels,
+            on_elements,
             scale,
             residual,
             rounds,
         };
     }
     let shone = system.reflected_slopes(&before);
+    let scattered = scattered(scene, patches);
     let finer = Refinement {
         scene,
         light: &|e, at| {
             looks.fetch_add(1, Ordering::Relaxed);
             system.seen_from(at, e.polygon.normal()).irradiance(&shone)
         },
-        reflectance: &|e| scattered(scene, patches, e),
+        reflectance: &|e| scattered[e.patch],
         ask: Ask::Centre,
         peaks: &|_| Vec::new(),
         inside: INSIDE,
@@ -247,19 +254,16 @@ fn reflected_light(
         target: how.reflected,
         most: how.most_elements.min(MOST_SPLIT * patches.elements.len()),
     };
-    let (mesh, mut on_mesh) =
-        finer.run_from(patches.clone(), system.places(), before.clone());
+    let (levels, mut on_elements) =
+        finer.run_from(patches, system.places(), before.clone());
 
-    // What patches send is corrected by how their light bulges between the corners.
-    system.bulge_of(scene, &mesh, &on_mesh);
+    // What patches send is corrected by how their light bends between the corners.
+    system.correct_means(scene, &levels, &on_elements);
     let (on_patches, residual, again) = system.solve(how.solver, &before, progress);
     let change: Vec<Rgb> = on_patches.iter().zip(&before).map(|(a, b)| a - b).collect();
-    for (k, place) in mesh.places(0.0).iter().enumerate() {
-        let Some(Place { element, .. }) = place else { continue };
-        let patch = mesh.elements[*element as usize].patch;
-        let patch = &patches.elements[patch.0 as usize];
-        on_mesh[k] += patches.value_at(patch, mesh.vertices[k], &change);
-    }
-    mesh.anchor(&mut on_mesh);
-    Reflected { on_patches, mesh, on_mesh, scale, residual, rounds: rounds + again }
+    let change = levels.interpolated(&change);
+    on_elements.iter_mut().zip(change).for_each(|(h, change)| *h += change);
+    levels.elements().anchor(&mut on_elements);
+    let rounds = rounds + again;
+    Reflected { on_patches, levels, on_elements, scale, residual, rounds }
 }

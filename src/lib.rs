@@ -22,6 +22,7 @@ pub mod visibility;
 pub mod form_factor;
 pub mod solve;
 pub mod directional;
+pub mod ways;
 pub mod specular;
 pub mod virtual_world;
 pub mod room;

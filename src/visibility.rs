@@ -48,7 +48,7 @@ impl Hit {
 }
 
 /// All polygons of a scene, ready to be met by rays.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Visibility {
     triangles: Vec<Triangle>,
     nodes: Vec<Node>,

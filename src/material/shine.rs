@@ -54,6 +54,32 @@ impl Shine {
         matches!(self, Shine::Pane { .. } | Shine::Glass { .. })
     }
 
+    /// The index of refraction of the solid whose boundary it is, if it is one.
+    pub fn index_of_solid(&self) -> Option<f64> {
+        match *self {
+            Shine::Glass { index, .. } => Some(index),
+            _ => None,
+        }
+    }
+
+    /// `Ks` and `Ns` of gloss.
+    pub fn gloss(&self) -> Option<(Rgb, f64)> {
+        match *self {
+            Shine::Gloss { reflectance, exponent } => Some((reflectance, exponent)),
+            _ => None,
+        }
+    }
+
+    /// Is it a thin pane, which light goes straight through?
+    pub fn is_pane(&self) -> bool {
+        matches!(self, Shine::Pane { .. })
+    }
+
+    /// Does light leave it in directions that show no image in a plane?
+    pub fn bends(&self) -> bool {
+        self.gloss().is_some() || self.index_of_solid().is_some()
+    }
+
     /// Does nothing shine?
     pub fn is_dull(&self) -> bool {
         match *self {

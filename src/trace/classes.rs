@@ -13,15 +13,7 @@
 //! 1987 (who carries which).
 
 use crate::geometry::Rgb;
-
-/// One letter of a path's word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Letter {
-    /// Scattered diffusely, to the same side or through the sheet.
-    D,
-    /// Passed on: by a mirror, a pane, glass or gloss.
-    S,
-}
+pub use crate::ways::Letter;
 
 /// How light came to the surface where the eye, or the mirrors before it, found it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,10 +1,12 @@
 //! A picture, sample by sample: an item buffer says what the eye sees, rays the rest.
 
-use super::tree::{Journey, Meeting, Shade, Tally, Tree};
+use super::tree::{Journey, Shade, Tally, Tree};
 use crate::film::{Picture, Shot};
 use crate::geometry::{Ray, Rgb};
 use crate::mesh::Mesh;
 use crate::raster::{ItemBuffer, Seen, View};
+use crate::visibility::Hit;
+use crate::ways::Meeting;
 use crate::work::Progress;
 use rayon::prelude::*;
 
@@ -42,9 +44,9 @@ impl Along {
 }
 
 /// What a sample of a pixel sees first.
-pub(super) enum First {
+pub(super) enum First<'t> {
     /// The element with this index, there.
-    Element(u32, Meeting),
+    Element(u32, Meeting<'t>),
     /// Nothing: the ray leaves the scene.
     Sky(glam::DVec3),
     /// Nothing that sends light.
@@ -93,13 +95,13 @@ pub(super) fn expose(
 }
 
 /// What the eye sees in the middle of a pixel.
-fn first(
-    tree: &Tree,
+fn first<'t>(
+    tree: &'t Tree,
     mesh: &Mesh,
     view: &View,
     items: &ItemBuffer,
     [x, y]: [u32; 2],
-) -> First {
+) -> First<'t> {
     let at = View::pixel_centre(x, y, items.width(), items.height());
     let direction = view.direction(at).normalize();
     let (element, front) = match items.seen(x, y) {
@@ -112,9 +114,10 @@ fn first(
         return First::Dark;
     }
     let plane = tree.scene.surfaces[surface as usize].polygon.plane();
-    let distance = plane.height(view.eye()) / plane.normal.dot(direction);
-    let point = view.eye() - distance * direction;
-    First::Element(element, Meeting { surface, point, direction, front })
+    let distance = -plane.height(view.eye()) / plane.normal.dot(direction);
+    let ray = Ray { origin: view.eye(), direction };
+    let hit = Hit { item: surface, distance, front };
+    First::Element(element, Meeting::of(tree.scene, &tree.solids, &ray, &hit))
 }
 
 /// The radiance of what was seen first, where nothing is stored about it.

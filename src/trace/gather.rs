@@ -34,7 +34,7 @@ pub(super) fn gathered(
             weight: journey.weight * share,
             one_of: journey.one_of * rays as f64,
             depth: journey.depth + 1,
-            inside: journey.inside.clone(),
+            media: journey.media.clone(),
             lamps_are_counted,
         };
         sum += share * tree.arriving((&ray, Some(surface)), &on, tally, shade);

@@ -2,10 +2,11 @@
 
 use super::cone::Cone;
 use super::lamps::Lamps;
-use super::tree::{Journey, Meeting, Shade, Tally, Tree};
+use super::tree::{Journey, Shade, Tally, Tree};
 use crate::geometry::{Frame, Ray, Rgb};
 use crate::material::Lobe;
 use crate::material::optics::reflect;
+use crate::ways::Meeting;
 use glam::{DVec3, dvec2};
 use std::f64::consts::TAU;
 
@@ -37,22 +38,27 @@ impl Default for Gloss {
 }
 
 /// Gloss met by a ray.
-pub(super) struct Glossy {
-    pub at: Meeting,
-    pub normal: DVec3,
+pub(super) struct Glossy<'s> {
+    at: Meeting<'s>,
     /// `Ks`.
-    pub reflectance: Rgb,
-    pub exponent: f64,
+    reflectance: Rgb,
+    exponent: f64,
 }
 
-impl Glossy {
+impl<'s> Glossy<'s> {
+    /// The gloss of what was met, if it has any.
+    pub(super) fn of(at: &Meeting<'s>) -> Option<Glossy<'s>> {
+        let (reflectance, exponent) = at.material.shine().gloss()?;
+        Some(Glossy { at: *at, reflectance, exponent })
+    }
+
     /// The middle of the lobe.
     fn axis(&self) -> DVec3 {
-        reflect(self.at.direction, self.normal)
+        reflect(self.at.direction, self.at.normal)
     }
 
     pub(super) fn albedo(&self) -> Rgb {
-        let cosine = -self.at.direction.dot(self.normal);
+        let cosine = -self.at.direction.dot(self.at.normal);
         let lobe = Lobe::Phong { exponent: self.exponent };
         self.reflectance * lobe.albedo(cosine.clamp(0.0, 1.0))
     }
@@ -68,7 +74,8 @@ impl Glossy {
         let mut sum = Rgb::ZERO;
         for (radiance, pieces) in lamps.seen_from(self.at.surface, self.at.point) {
             let overlaps = pieces.iter().flat_map(|piece| {
-                let overlap = |c: &Cone| c.overlap(self.at.point, self.normal, piece);
+                let overlap =
+                    |c: &Cone| c.overlap(self.at.point, self.at.normal, piece);
                 cones.iter().map(overlap)
             });
             sum += radiance * overlaps.sum::<f64>();
@@ -84,7 +91,7 @@ impl Glossy {
         match how.lobe {
             LobeAs::OneCone(share) => {
                 let cone = Cone::holding(share, self.exponent, self.axis());
-                let all = cone.projected_solid_angle(self.normal);
+                let all = cone.projected_solid_angle(self.at.normal);
                 (vec![cone], self.albedo() / all)
             }
             LobeAs::Stack(k) => {
@@ -108,13 +115,13 @@ impl Glossy {
             let (s, c) = (TAU * u.y).sin_cos();
             let local = DVec3::new(sine * c, sine * s, cosine);
             let w = Frame::about(cone.axis).world_from_local(local);
-            let of_cone = cone.projected_solid_angle(self.normal);
+            let of_cone = cone.projected_solid_angle(self.at.normal);
             let solid = TAU * (1.0 - cone.half_angle.cos());
-            let counts = self.albedo() * (w.dot(self.normal) * solid / of_cone);
-            return (w.dot(self.normal) > 0.0).then_some((w, counts));
+            let counts = self.albedo() * (w.dot(self.at.normal) * solid / of_cone);
+            return (w.dot(self.at.normal) > 0.0).then_some((w, counts));
         }
         let lobe = Lobe::Phong { exponent: self.exponent };
-        let frame = Frame::about(self.normal);
+        let frame = Frame::about(self.at.normal);
         let wo = frame.local_from_world(-self.at.direction);
         let wi = lobe.sample(wo, u);
         let counts = self.reflectance * (lobe.value(wi, wo) * wi.z / lobe.pdf(wi, wo));
@@ -138,7 +145,7 @@ impl Glossy {
         for u in tally.points(rays) {
             let Some((direction, counts)) = self.direction(how, u) else { continue };
             let share = counts / rays as f64;
-            let on = tree.sent_on(&one, share, journey.inside.clone(), tally);
+            let on = tree.sent_on(&one, share, journey.media.clone(), tally);
             let Some(on) = on.map(|on| Journey { lamps_are_counted, ..on }) else {
                 continue;
             };

@@ -1,13 +1,12 @@
 //! The tree of rays: what shiny surfaces make of one ray, followed branch by branch.
 
 use crate::geometry::{Ray, Rgb};
-use crate::material::optics::{fresnel, pane, reflect, refract};
-use crate::material::{Material, Shine};
+use crate::material::Material;
 use crate::random::Stream;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
+use crate::ways::{Media, Meeting, Solids, ways};
 use glam::DVec3;
-use smallvec::SmallVec;
 
 /// How far rays are followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,18 +24,6 @@ impl Default for Limits {
     }
 }
 
-/// Where a ray meets a surface.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Meeting {
-    /// Which of [`Scene::surfaces`].
-    pub surface: u32,
-    pub point: DVec3,
-    /// Of the ray, of unit length.
-    pub direction: DVec3,
-    /// Is it the front that is met?
-    pub front: bool,
-}
-
 /// How a ray came to where it is.
 #[derive(Clone, Debug)]
 pub(super) struct Journey {
@@ -46,8 +33,8 @@ pub(super) struct Journey {
     pub one_of: f64,
     /// How often it was sent on.
     pub depth: u32,
-    /// The indices of the solids that it is in, the innermost last.
-    pub inside: SmallVec<[f64; 4]>,
+    /// The solids that it is in.
+    pub media: Media,
     /// Are lamps that it meets next dark, because their light is counted already?
     pub lamps_are_counted: bool,
 }
@@ -55,21 +42,9 @@ pub(super) struct Journey {
 impl Journey {
     /// That of a ray from the eye.
     pub(super) fn start() -> Journey {
-        let inside = SmallVec::new();
-        let (weight, one_of) = (Rgb::ONE, 1.0);
-        Journey { weight, one_of, depth: 0, inside, lamps_are_counted: false }
+        let (weight, one_of, media) = (Rgb::ONE, 1.0, Media::default());
+        Journey { weight, one_of, depth: 0, media, lamps_are_counted: false }
     }
-}
-
-/// One way on from a surface.
-#[derive(Debug)]
-struct Branch {
-    direction: DVec3,
-    /// What the light that comes from there counts.
-    share: Rgb,
-    /// By how much Snell's law thins its radiance: `(n here / n there)²`.
-    thinner: f64,
-    inside: SmallVec<[f64; 4]>,
 }
 
 /// What is counted while a sample of a pixel is traced, and what its random numbers are
@@ -115,6 +90,7 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 pub(super) struct Tree<'s> {
     pub scene: &'s Scene,
     pub visibility: Visibility,
+    pub solids: Solids,
     pub limits: Limits,
 }
 
@@ -125,7 +101,7 @@ pub(super) type Shade<'a> = &'a dyn Fn(&Meeting, &Journey, &mut Tally) -> Rgb;
 impl<'s> Tree<'s> {
     pub(super) fn of(scene: &'s Scene, limits: Limits) -> Tree<'s> {
         let visibility = Visibility::new(scene.surfaces.iter().map(|s| &s.polygon));
-        Tree { scene, visibility, limits }
+        Tree { scene, visibility, solids: Solids::of(scene), limits }
     }
 
     pub(super) fn material(&self, surface: u32) -> &'s Material {
@@ -145,9 +121,7 @@ impl<'s> Tree<'s> {
         let Some(hit) = self.visibility.closest(ray, leaving) else {
             return self.sky(ray.direction);
         };
-        let point = ray.origin + hit.distance * ray.direction;
-        let (surface, direction, front) = (hit.item, ray.direction, hit.front);
-        let at = Meeting { surface, point, direction, front };
+        let at = Meeting::of(self.scene, &self.solids, ray, &hit);
         self.leaving(&at, journey, tally, shade)
         // ANCHOR_END: arriving
     }
@@ -167,15 +141,15 @@ impl<'s> Tree<'s> {
     ) -> Rgb {
         // ANCHOR: leaving
         let mut sum = shade(at, journey, tally);
-        for Branch { direction, share, thinner, inside } in
-            self.branches(at, &journey.inside)
-        {
-            let Some(on) = self.sent_on(journey, share, inside, tally) else {
+        let mut media = journey.media.clone();
+        for way in ways(at, &mut media) {
+            let Some(direction) = way.from(at.direction) else { continue };
+            let media = if way.crosses { at.beyond(&media) } else { media.clone() };
+            let Some(on) = self.sent_on(journey, way.share, media, tally) else {
                 continue;
             };
-            let ray = Ray { origin: at.point, direction };
-            let from = (&ray, Some(at.surface));
-            sum += thinner * share * self.arriving(from, &on, tally, shade);
+            let from = (&Ray { origin: at.point, direction }, Some(at.surface));
+            sum += way.denser * way.share * self.arriving(from, &on, tally, shade);
         }
         sum
         // ANCHOR_END: leaving
@@ -186,7 +160,7 @@ impl<'s> Tree<'s> {
         &self,
         journey: &Journey,
         share: Rgb,
-        inside: SmallVec<[f64; 4]>,
+        media: Media,
         tally: &mut Tally,
     ) -> Option<Journey> {
         // ANCHOR: sent_on
@@ -197,72 +171,7 @@ impl<'s> Tree<'s> {
             tally.cut += weight;
             return None;
         }
-        Some(Journey { weight, one_of, depth, inside, lamps_are_counted: false })
+        Some(Journey { weight, one_of, depth, media, lamps_are_counted: false })
         // ANCHOR_END: sent_on
     }
-
-    /// The single directions from which light reaches the eye by way of `at`.
-    fn branches(
-        &self,
-        at: &Meeting,
-        inside: &SmallVec<[f64; 4]>,
-    ) -> SmallVec<[Branch; 2]> {
-        let surface = &self.scene.surfaces[at.surface as usize];
-        let material = self.scene.material(surface);
-        let front = surface.polygon.normal();
-        let normal = if at.front { front } else { -front };
-        let cosine = (-at.direction.dot(normal)).clamp(0.0, 1.0);
-        let branch = |direction, share| Branch {
-            direction,
-            share,
-            thinner: 1.0,
-            inside: inside.clone(),
-        };
-        let mirrored = |share| branch(reflect(at.direction, normal), share);
-        let s = material.smooth_share();
-        let mut all: SmallVec<[Branch; 2]> = SmallVec::new();
-        match material.shine() {
-            Shine::Mirror { reflectance } if at.front => {
-                all.push(mirrored(reflectance));
-            }
-            Shine::Pane { index, tint } => {
-                let (r, t) = pane(cosine, index);
-                all.extend([mirrored(r * s), branch(at.direction, t * s * tint)]);
-            }
-            Shine::Glass { index, tint } => {
-                let (here, beyond, after) = across(index, at.front, inside);
-                let eta = here / beyond;
-                let r = fresnel(cosine, eta).mean();
-                all.push(mirrored(r * s));
-                if let Some(direction) = refract(at.direction, normal, eta) {
-                    let (share, thinner) = ((1.0 - r) * s * tint, eta * eta);
-                    all.push(Branch { direction, share, thinner, inside: after });
-                }
-            }
-            Shine::Dull | Shine::Mirror { .. } | Shine::Gloss { .. } => {}
-        }
-        all.retain(|branch| branch.share != Rgb::ZERO);
-        all
-    }
-}
-
-/// The indices before and behind a face of a solid, and those of the solids that a ray is
-/// in behind it.
-fn across(
-    index: f64,
-    entering: bool,
-    inside: &SmallVec<[f64; 4]>,
-) -> (f64, f64, SmallVec<[f64; 4]>) {
-    // ANCHOR: across
-    let innermost = |inside: &[f64]| inside.last().copied().unwrap_or(1.0);
-    let mut after = inside.clone();
-    if entering {
-        after.push(index);
-        return (innermost(inside), index, after);
-    }
-    if let Some(k) = after.iter().rposition(|&n| n == index) {
-        after.remove(k); // else the eye began in here
-    }
-    (index, innermost(&after), after)
-    // ANCHOR_END: across
 }

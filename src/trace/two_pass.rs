@@ -5,12 +5,12 @@ use super::gather::gathered;
 use super::gloss::{Gloss, Glossy};
 use super::lamps::{Lamps, Panes};
 use super::locate::Locate;
-use super::tree::{Journey, Limits, Meeting, Tally, Tree};
+use super::tree::{Journey, Limits, Tally, Tree};
 use crate::film::Shot;
 use crate::geometry::{Ray, Rgb};
-use crate::material::Shine;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
+use crate::ways::Meeting;
 use crate::work::Progress;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -58,7 +58,7 @@ impl<'s> TwoPass<'s> {
     ) -> TwoPass<'s> {
         assert_eq!(radiosity.len(), mesh.vertices.len(), "one B for each vertex");
         let asks = |m: &crate::material::Material| {
-            options.gather > 0 || matches!(m.shine(), Shine::Gloss { .. })
+            options.gather > 0 || m.shine().gloss().is_some()
         };
         let lamps = Lamps::of(scene, Panes::Block, asks);
         let (tree, locate) = (Tree::of(scene, options.limits), Locate::of(scene, mesh));
@@ -94,9 +94,7 @@ impl<'s> TwoPass<'s> {
 
     /// Is all that leaves here stored?
     fn is_stored(&self, at: &Meeting) -> bool {
-        at.front
-            && self.options.gather == 0
-            && self.tree.material(at.surface).shine().is_dull()
+        at.front && self.options.gather == 0 && at.material.shine().is_dull()
     }
 
     /// The diffuse light and the gloss of what a ray meets.
@@ -109,7 +107,7 @@ impl<'s> TwoPass<'s> {
         let diffuse =
             if gathers { self.gather(at, journey, tally) } else { self.stored(at) };
         let counted = match journey.lamps_are_counted {
-            true => self.tree.material(at.surface).emission() / PI,
+            true => at.material.emission() / PI,
             false => Rgb::ZERO,
         };
         diffuse - counted + self.gloss(at, journey, tally)
@@ -130,13 +128,7 @@ impl<'s> TwoPass<'s> {
     /// What gloss shows, W/(m² sr): the lamps exactly, all else by rays.
     // ANCHOR: gloss
     fn gloss(&self, at: &Meeting, journey: &Journey, tally: &mut Tally) -> Rgb {
-        let Shine::Gloss { reflectance, exponent } =
-            self.tree.material(at.surface).shine()
-        else {
-            return Rgb::ZERO;
-        };
-        let normal = self.normal(at.surface);
-        let glossy = Glossy { at: *at, normal, reflectance, exponent };
+        let Some(glossy) = Glossy::of(at) else { return Rgb::ZERO };
         let (how, counted) = (&self.options.gloss, self.lamps.are_counted());
         let lamps = glossy.of_lamps(&self.lamps, how, tally.offset());
         let tree = (&self.tree, counted);
@@ -158,7 +150,7 @@ impl<'s> TwoPass<'s> {
     /// ```
     fn gather(&self, at: &Meeting, journey: &Journey, tally: &mut Tally) -> Rgb {
         let surface = &self.tree.scene.surfaces[at.surface as usize];
-        let material = self.tree.scene.material(surface);
+        let material = at.material;
         let mut on = |surface: u32, share: Rgb| {
             if share == Rgb::ZERO {
                 return Rgb::ZERO;

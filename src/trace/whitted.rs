@@ -1,16 +1,15 @@
 //! Classical ray tracing: mirrors, glass, and lamps; no light between diffuse surfaces.
 
-use super::expose::{Along, Shown, expose, followed};
+use super::expose::{Along, First, Shown, expose, followed};
 use super::gloss::{Gloss, Glossy};
 use super::lamps::{Lamps, Panes};
-use super::tree::{Limits, Meeting, Tally, Tree};
+use super::tree::{Limits, Tally, Tree};
 use crate::film::Shot;
 use crate::geometry::{Polygon, Ray, Rgb};
-use crate::material::optics::pane;
-use crate::material::{Material, Shine};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
-use crate::visibility::Visibility;
+use crate::visibility::{Hit, Visibility};
+use crate::ways::{Media, Meeting, straight};
 use crate::work::Progress;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -39,7 +38,7 @@ impl<'s> Whitted<'s> {
     pub fn of(scene: &'s Scene, limits: Limits) -> Whitted<'s> {
         let is_pane = |k: &u32| {
             let surface = &scene.surfaces[*k as usize];
-            matches!(scene.material(surface).shine(), Shine::Pane { .. })
+            scene.material(surface).shine().is_pane()
         };
         let of_pane: Vec<u32> =
             (0..scene.surfaces.len() as u32).filter(is_pane).collect();
@@ -54,8 +53,9 @@ impl<'s> Whitted<'s> {
     /// What a camera sees. Deterministic: the same at any number of threads.
     pub fn picture(&self, shot: &Shot, progress: Progress) -> Shown {
         let shade = |at: &Meeting, _: &_, tally: &mut Tally| self.shade(at, tally);
-        let radiance =
-            |first: &_, tally: &mut Tally| followed(&self.tree, first, tally, &shade);
+        let radiance = |first: &First, tally: &mut Tally| {
+            followed(&self.tree, first, tally, &shade)
+        };
         expose(shot, &self.tree, &self.mesh, 0, &radiance, progress)
     }
 
@@ -70,12 +70,12 @@ impl<'s> Whitted<'s> {
             return Rgb::ZERO;
         }
         let surface = &self.tree.scene.surfaces[at.surface as usize];
-        let material = self.tree.scene.material(surface);
+        let material = at.material;
         let front = material.diffuse() * self.light_on(at.surface, at.point);
         let back = surface.back.map_or(Rgb::ZERO, |back| {
             material.translucence() * self.light_on(back, at.point)
         });
-        (material.emission() + front + back) / PI + self.gloss(at, material, tally)
+        (material.emission() + front + back) / PI + self.gloss(at, tally)
     }
     // ANCHOR_END: shade
 
@@ -92,31 +92,24 @@ impl<'s> Whitted<'s> {
     fn through_panes(&self, x: DVec3, y: DVec3) -> Rgb {
         let (mut share, mut leaving) = (Rgb::ONE, None);
         let mut ray = Ray { origin: x, direction: (y - x).normalize() };
-        let mut left = x.distance(y);
+        let (mut left, mut media) = (x.distance(y), Media::default());
         while let Some(hit) = self.panes.closest(&ray, leaving) {
             left -= hit.distance;
             if left <= 0.0 {
                 break;
             }
-            let id = self.of_pane[hit.item as usize];
-            let surface = &self.tree.scene.surfaces[id as usize];
-            let material = self.tree.scene.material(surface);
-            if let Shine::Pane { index, tint } = material.shine() {
-                let cosine = surface.polygon.normal().dot(ray.direction).abs();
-                share *= material.smooth_share() * tint * pane(cosine, index).1;
-            }
-            ray.origin += hit.distance * ray.direction;
+            let pane = Hit { item: self.of_pane[hit.item as usize], ..hit };
+            let met = Meeting::of(self.tree.scene, &self.tree.solids, &ray, &pane);
+            let (passed, _) = straight(&met, &mut media).unwrap_or((Rgb::ZERO, 0.0));
+            share *= passed;
+            ray.origin = met.point;
             leaving = Some(hit.item);
         }
         share
     }
 
-    fn gloss(&self, at: &Meeting, material: &Material, tally: &Tally) -> Rgb {
-        let Shine::Gloss { reflectance, exponent } = material.shine() else {
-            return Rgb::ZERO;
-        };
-        let normal = self.tree.scene.surfaces[at.surface as usize].polygon.normal();
-        let glossy = Glossy { at: *at, normal, reflectance, exponent };
+    fn gloss(&self, at: &Meeting, tally: &Tally) -> Rgb {
+        let Some(glossy) = Glossy::of(at) else { return Rgb::ZERO };
         let lamps = glossy.of_lamps(&self.lamps, &Gloss::default(), tally.offset());
         lamps + glossy.albedo() * self.ambient / PI
     }

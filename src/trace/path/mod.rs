@@ -20,19 +20,18 @@
 
 mod lamps;
 mod measure;
-mod scatter;
 
 pub use measure::{Estimate, Traced};
 
-use super::classes::{Class, Letter, Word};
+use super::classes::{Class, Word};
 use crate::geometry::{Frame, Ray, Rgb};
 use crate::material::Lobe;
 use crate::random::Stream;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
+use crate::ways::{Event, Letter, Media, Meeting, Solids, Way, choose, straight, ways};
 use glam::{DVec3, dvec2};
 use lamps::{Lamps, Light};
-use scatter::{Event, Media, Met, choose, straight, ways};
 use std::f64::consts::PI;
 
 /// How lamps are found.
@@ -52,6 +51,7 @@ pub enum Strategy {
 pub struct PathTracer<'s> {
     scene: &'s Scene,
     visibility: Visibility,
+    solids: Solids,
     lamps: Lamps,
     strategy: Strategy,
 }
@@ -75,6 +75,20 @@ struct Walk {
     bounces: u32,
 }
 
+impl Walk {
+    /// Goes a way from a surface that was chosen by this chance.
+    fn take(&mut self, met: &Meeting, way: &Way, chance: f64) {
+        self.word = self.word.then(way.letter());
+        self.weight *= way.share / chance;
+        self.denser *= way.denser;
+        if way.crosses {
+            self.media = met.beyond(&self.media);
+        }
+        (self.ray.origin, self.leaving) = (met.point, Some(met.surface));
+        self.bounces += 1;
+    }
+}
+
 /// Paths longer than this live on by chance.
 const SURE_BOUNCES: u32 = 3;
 /// Paths longer than this may die even if they lose nothing, caught in glass.
@@ -86,6 +100,7 @@ impl<'s> PathTracer<'s> {
         PathTracer {
             scene,
             visibility: Visibility::new(scene.surfaces.iter().map(|s| &s.polygon)),
+            solids: Solids::of(scene),
             lamps: Lamps::of(scene),
             strategy: Strategy::Both,
         }
@@ -114,7 +129,7 @@ impl<'s> PathTracer<'s> {
             weight: Rgb::ONE,
             denser: 1.0,
             word: Word::default(),
-            media: Media::new(),
+            media: Media::default(),
             scattered: None,
             bounces: 0,
         };
@@ -136,7 +151,7 @@ impl<'s> PathTracer<'s> {
             weight: Rgb::splat(PI),
             denser: 1.0,
             word: Word::default().then(Letter::D),
-            media: Media::new(),
+            media: Media::default(),
             scattered: None,
             bounces: 0,
         };
@@ -157,27 +172,27 @@ impl<'s> PathTracer<'s> {
             self.meet_sky(walk, tally);
             return false;
         };
-        let x = walk.ray.origin + hit.distance * walk.ray.direction;
-        let Some(met) = Met::of(self.scene, &hit) else { return false };
-        self.meet_lamp(walk, &met, x, tally);
-        let ways = ways(&met, walk.ray.direction, &walk.media);
-        let Some((way, chance)) = choose(ways, random.next()) else { return false };
-        walk.word = walk.word.then(way.letter);
-        walk.weight *= way.share / chance;
-        (walk.ray.origin, walk.leaving) = (x, Some(met.surface));
-        walk.bounces += 1;
+        let met = Meeting::of(self.scene, &self.solids, &walk.ray, &hit);
+        self.meet_lamp(walk, &met, tally);
+        let ways = ways(&met, &mut walk.media);
+        let Some((k, chance)) = choose(ways.iter().map(Way::odds), random.next())
+        else {
+            return false;
+        };
+        walk.take(&met, &ways[k], chance);
         // ANCHOR_END: step
-        match way.event {
-            Event::Scattered { lobe, frame, wo } => {
+        match ways[k].event {
+            Event::Scattered { lobe, normal } => {
+                let frame = Frame::about(normal);
+                let wo = frame.local_from_world(-met.direction);
+                let wo = wo.with_z(wo.z.abs());
                 return self.scatter(walk, (lobe, &frame, wo), random, tally);
             }
             Event::Passed => {
                 walk.scattered = walk.scattered.map(|(from, pdf)| (from, pdf * chance));
             }
-            Event::Bent { direction, media, denser } => {
-                (walk.ray.direction, walk.media) = (direction, media);
-                walk.denser *= denser;
-                walk.scattered = None;
+            Event::Mirrored(from) | Event::Bent(from) => {
+                (walk.ray.direction, walk.scattered) = (from, None);
             }
         }
         true
@@ -192,10 +207,10 @@ impl<'s> PathTracer<'s> {
         tally(walk.word.class(), weight * sky.radiance(direction));
     }
 
-    fn meet_lamp(&self, walk: &Walk, met: &Met, x: DVec3, tally: Tally) {
-        if met.acts && met.material.emits() {
+    fn meet_lamp(&self, walk: &Walk, met: &Meeting, tally: Tally) {
+        if met.front && met.material.emits() {
             let share = self.share_of_lobe(walk, |from| {
-                self.lamps.pdf_of_lamp(self.scene, met.surface, from, x)
+                self.lamps.pdf_of_lamp(self.scene, met.surface, from, met.point)
             });
             let weight = share * walk.denser * walk.weight;
             tally(walk.word.class(), weight * met.material.emission() / PI);
@@ -254,21 +269,21 @@ impl<'s> PathTracer<'s> {
     /// stands between.
     fn clear(&self, walk: &Walk, light: &Light) -> Option<Clear> {
         let mut ray = Ray { origin: walk.ray.origin, direction: light.direction };
-        let mut leaving = walk.leaving;
+        let (mut leaving, mut media) = (walk.leaving, walk.media.clone());
         let mut clear = Clear { share: Rgb::ONE, chance: 1.0, word: walk.word };
         loop {
             let Some(hit) = self.visibility.closest(&ray, leaving) else {
                 return light.lamp.is_none().then_some(clear);
             };
-            let met = Met::of(self.scene, &hit)?;
-            if Some(met.surface) == light.lamp && met.acts {
+            let met = Meeting::of(self.scene, &self.solids, &ray, &hit);
+            if Some(met.surface) == light.lamp && met.front {
                 return Some(clear);
             }
-            let (share, chance) = straight(&met, ray.direction)?;
+            let (share, chance) = straight(&met, &mut media)?;
             clear.share *= share;
             clear.chance *= chance;
             clear.word = clear.word.then(Letter::S);
-            ray.origin += hit.distance * ray.direction;
+            ray.origin = met.point;
             leaving = Some(met.surface);
         }
     }

@@ -36,6 +36,14 @@ pub mod chart;
 
 /// What a chapter's example needs, in one `use`.
 pub mod prelude {
+    pub use crate::field::{Classical, Factors, Field, Smooth};
+    pub use crate::film::Shot;
     pub use crate::geometry::{Frame, Plane, Polygon, Ray, Rgb};
+    pub use crate::mesh::Mesh;
+    pub use crate::obj::load;
+    pub use crate::room::Room;
+    pub use crate::scene::{Scene, built_in};
+    pub use crate::solution::{Goal, Solution, solve, solve_on};
+    pub use crate::work::Work;
     pub use glam::{DVec2, DVec3, dvec2, dvec3};
 }

@@ -1,23 +1,25 @@
 //! `--method auto` where light goes on: mirrors, panes, paper, gloss, glass and skies, held
 //! against random walks that know of no mesh, no image and no hemicube.
 
-use radiosity::field::{Gathered, gather_unbiased};
+use radiosity::field::{Gathered, Smooth, gather_unbiased};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::sky::{Panorama, Sky};
-use radiosity::solution::{Ask, Solution, automatic, resolution_for};
+use radiosity::solution::{Goal, Solution, solve};
+use radiosity::work::Work;
 
 fn solved(scene: &Scene, tolerance: f64) -> Solution {
-    let ask = Ask { tolerance, ..Ask::default() };
-    automatic(scene, resolution_for(scene, tolerance), &ask, &|_, _, _| {}).0
+    let goal = Goal::within(tolerance);
+    solve(&Room::of(scene), &Smooth, &goal, &Work::quiet()).unwrap()
 }
 
 /// Mean irradiance of each surface.
 fn surface_means(scene: &Scene, solution: &Solution) -> Vec<Rgb> {
     let mut sums = vec![Rgb::ZERO; scene.surfaces.len()];
-    for (element, &h) in solution.mesh.elements.iter().zip(&solution.irradiance) {
-        let surface = solution.mesh.surface_of(element) as usize;
+    for (element, &h) in solution.field.mesh.elements.iter().zip(&solution.irradiance) {
+        let surface = solution.field.mesh.surface_of(element) as usize;
         sums[surface] += element.polygon.area() * h;
     }
     let areas = scene.surfaces.iter().map(|s| s.polygon.area());
@@ -51,12 +53,12 @@ fn agrees_with_walks(name: &str, tolerance: f64, walks: usize) {
     let certificate = solution.certificate;
     assert!(solution.converged, "{name}: {certificate:?}");
     let means = surface_means(&scene, &solution);
-    let found = gather_unbiased(&scene, &Mesh::whole(&scene), walks, 7);
+    let found = gather_unbiased(&Room::of(&scene), &Mesh::whole(&scene), walks, 7);
     let (off, chance) = off(&scene, &means, &found);
     assert!(off <= tolerance + chance, "{name}: {off} {chance} {certificate:?}");
     assert!(chance < 2.0 * tolerance, "{name}: too few walks: {chance}");
-    let imbalance = solution.ledger.worst_imbalance();
-    assert!(imbalance < 0.02, "{name}: {:?}", solution.ledger);
+    let imbalance = solution.field.ledger.worst_imbalance();
+    assert!(imbalance < 0.02, "{name}: {:?}", solution.field.ledger);
 }
 
 #[test]
@@ -116,11 +118,15 @@ fn what_bends_light_is_carried_by_rays() {
         let scene = built_in(name).unwrap();
         let solution = solved(&scene, 0.1);
         let means = surface_means(&scene, &solution);
-        let found = gather_unbiased(&scene, &Mesh::whole(&scene), 4000, 7);
+        let found = gather_unbiased(&Room::of(&scene), &Mesh::whole(&scene), 4000, 7);
         let (off, chance) = off(&scene, &means, &found);
         let most = solution.certificate.high + chance;
         assert!(off <= most, "{name}: {off} {chance} {:?}", solution.certificate);
         // As coarsely as 10 % asks for, hemicubes of 60 patches lose some per cent.
-        assert!(solution.ledger.worst_imbalance() < 0.05, "{:?}", solution.ledger);
+        assert!(
+            solution.field.ledger.worst_imbalance() < 0.05,
+            "{:?}",
+            solution.field.ledger
+        );
     }
 }

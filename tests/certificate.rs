@@ -6,18 +6,19 @@ mod common;
 use common::rooms::{box_walls, rectangle, scene};
 use common::truth::{Field, Truth, solved};
 use glam::{DVec3, dvec3};
-use radiosity::certificate::{Audit, Certificate, Sampling};
-use radiosity::certificate::{audit, certify};
+use radiosity::certificate::{Audit, Certificate, Judged, Sampling};
+use radiosity::field::{Pass1, Smooth};
 use radiosity::form_factor::analytic::lambert_polygon;
 use radiosity::form_factor::ray_from;
 use radiosity::geometry::{Frame, Polygon, Rgb};
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solution::Ask;
-use radiosity::solution::{automatic, resolution_for};
+use radiosity::solution::{Goal, audited, solve_from};
 use radiosity::solve::Enclosure;
 use radiosity::visibility::Visibility;
+use radiosity::work::Work;
 
 /// So many runs each, and no more than 5 % of them may miss. (Where the true confidence
 /// were just 95 %, half of the tests would fail; the intervals are wider than that.)
@@ -27,11 +28,24 @@ const MAY_MISS: usize = 10;
 /// Little work, so that many runs can be made of it: wide intervals, coarse strata.
 const LITTLE: Sampling = Sampling { points: 160, rays: 12, seed: 0 };
 
+fn audit(room: &Room, mesh: &Mesh, radiosity: Field, sampling: Sampling) -> Audit {
+    audited(room, &Judged { mesh, radiosity }, sampling)
+}
+
+fn certify(
+    room: &Room,
+    mesh: &Mesh,
+    radiosity: Field,
+    sampling: Sampling,
+) -> Certificate {
+    audit(room, mesh, radiosity, sampling).certificate
+}
+
 /// Certificates of many seeds.
 fn runs(scene: &Scene, mesh: &Mesh, field: Field) -> Vec<Certificate> {
-    (0..RUNS)
-        .map(|seed| certify(scene, mesh, field, Sampling { seed, ..LITTLE }))
-        .collect()
+    let room = Room::of(scene);
+    let with = |seed| certify(&room, mesh, field, Sampling { seed, ..LITTLE });
+    (0..RUNS).map(with).collect()
 }
 
 fn misses(runs: &[Certificate], truth: f64) -> usize {
@@ -49,6 +63,7 @@ fn holds(scene: &Scene, coarse: f64, fine: f64, reaches: f64) {
     let darker = |id: ElementId, x| 0.9 * flat(id, x);
     let fields: [(&str, Field); 3] =
         [("flat", &flat), ("smooth", &smooth), ("darker", &darker)];
+    let room = Room::of(scene);
     for (name, field) in fields {
         let truth = known.error(field);
         let missed = misses(&runs(scene, &mesh, field), truth);
@@ -56,7 +71,7 @@ fn holds(scene: &Scene, coarse: f64, fine: f64, reaches: f64) {
         assert!(missed <= MAY_MISS, "{} {name}: {missed} of {RUNS}", scene.name);
         for seed in 0..3 {
             let c =
-                certify(scene, &mesh, field, Sampling { seed, ..Default::default() });
+                certify(&room, &mesh, field, Sampling { seed, ..Default::default() });
             println!(
                 "    {:.3} {:.3} {:.3}",
                 c.low / truth,
@@ -192,7 +207,12 @@ fn white_walls_lie_within() {
     for rho in [0.95, 0.99, 0.999] {
         let scene = scene(box_walls([1.0; 3]).map(|wall| (wall, 1.0 - rho, rho)));
         let mesh = Mesh::uniform(&scene, 0.5);
-        let c = certify(&scene, &mesh, &|_, _| Rgb::splat(0.99), Sampling::default());
+        let c = certify(
+            &Room::of(&scene),
+            &mesh,
+            &|_, _| Rgb::splat(0.99),
+            Sampling::default(),
+        );
         let (truth, rounding) = (0.01 / rho, 1e-9);
         assert!(c.low <= truth + rounding && truth <= c.high + rounding, "{rho} {c:?}");
         assert!(c.high < 1.2 * truth, "{rho} {c:?}");
@@ -225,7 +245,7 @@ fn a_wrong_field_is_not_certified() {
     }
     for seed in 0..5 {
         let usual = Sampling { seed, ..Default::default() };
-        let c = certify(&scene, &mesh, &emitted, usual);
+        let c = certify(&Room::of(&scene), &mesh, &emitted, usual);
         assert!((c.error - 1.0).abs() < 1e-9 && c.low > 0.97, "{c:?}");
     }
 }
@@ -238,12 +258,14 @@ fn a_wrong_field_is_not_certified() {
 fn who_stops_when_it_suffices_is_honest() {
     let scene = lit_cube(0.5);
     let fine = solved(&scene, 0.125);
-    let first = resolution_for(&scene, 0.05);
+    let room = Room::of(&scene);
+    let first = Smooth.first(&room, 0.05);
     let (mut missed, mut broken, mut again) = (0, 0, 0);
     for seed in 0..28 {
-        let ask = Ask { tolerance: 0.0205, seed, ..Ask::default() };
-        let (found, passes) = automatic(&scene, first, &ask, &|_, _, _| {});
-        let (mesh, light) = (&found.mesh, &found.vertex_radiosity);
+        let ask = Goal { tolerance: 0.0205, seed, ..Goal::default() };
+        let found = solve_from(&room, &Smooth, first, &ask, &Work::quiet()).unwrap();
+        let passes = &found.attempts;
+        let (mesh, light) = (&found.field.mesh, &found.vertex_radiosity);
         let field = |id: ElementId, x| mesh.value_at(mesh.element(id), x, light);
         let truth = Truth::of(&scene, mesh, &fine).error(&field);
         let c = found.certificate;
@@ -265,7 +287,7 @@ fn the_map_shows_where_the_error_is() {
     let wrong = ElementId(37);
     let field = |id, _: DVec3| Rgb::splat(if id == wrong { 2.2 } else { 2.0 });
     let Audit { certificate, residual, error } =
-        audit(&scene, &mesh, &field, Sampling::default());
+        audit(&Room::of(&scene), &mesh, &field, Sampling::default());
     // Off by 0.2, where the reflected light is 1; the rest sees it at 1/96 and less.
     let truth = 0.2 / (mesh.elements.len() as f64).sqrt();
     assert!(certificate.low <= truth && truth <= certificate.high, "{certificate:?}");
@@ -291,7 +313,7 @@ fn what_no_point_falls_on_is_not_known() {
     };
     let truth = 17_000.0 * 2.0 * half / 6.0_f64.sqrt();
     assert!((truth - 0.694).abs() < 1e-3, "{truth}");
-    let c = certify(&scene, &mesh, &field, Sampling::default());
+    let c = certify(&Room::of(&scene), &mesh, &field, Sampling::default());
     assert!(c.high < 1e-12, "found: {c:?}");
 }
 
@@ -313,7 +335,7 @@ fn degenerate_scenes_have_certificates() {
             let enclosure = Enclosure::of(&scene, &mesh);
             let emitted = |id: ElementId, _: DVec3| enclosure.emission[id.0 as usize];
             for sampling in [LITTLE, Sampling { points: 1, rays: 1, seed: 3 }] {
-                let found = audit(&scene, &mesh, &emitted, sampling);
+                let found = audit(&Room::of(&scene), &mesh, &emitted, sampling);
                 let c = found.certificate;
                 assert!(c.error >= 0.0 && c.error.is_finite(), "{name}: {c:?}");
                 assert!(c.low <= c.error && c.error <= c.high, "{name}: {c:?}");

@@ -3,10 +3,12 @@
 mod common;
 
 use common::paths::largest_z;
+use radiosity::field::Pass1;
+use radiosity::field::Smooth;
 use radiosity::film::Shot;
 use radiosity::geometry::Rgb;
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solution::resolution_for;
 use radiosity::trace::{
     CLASSES, Class, Letter, Light, Options, Owner, PathTracer, Word,
     classes_of_two_passes,
@@ -78,7 +80,7 @@ fn both_passes_find_class_by_class_what_paths_find() {
     let most = largest_z(scenes.len() * CLASSES * 3);
     let mut faults = vec![];
     for (name, scene, shot) in &scenes {
-        let how = resolution_for(scene, 0.02);
+        let how = Smooth.first(&Room::of(scene), 0.02);
         let options = Options::default();
         let ours = classes_of_two_passes(scene, shot, &how, &options, &|_, _, _| ());
         let paths = PathTracer::of(scene).picture(shot, 256, 1, &|_, _, _| ()).classes;

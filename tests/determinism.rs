@@ -1,11 +1,18 @@
 //! The same bytes on one thread and on two: for every kind of factors, both solvers,
 //! the certificate, and the picture.
 
+use radiosity::room::Room;
+use radiosity::solution::Goal;
+use radiosity::work::Work;
+
+use radiosity::field::Factors;
+use radiosity::field::MatrixSolver;
+use radiosity::field::{Classical, Links, Pass1, Smooth};
 use radiosity::film::Shot;
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solution::{Factors, Method, Options, Solution, solve, solve_on};
+use radiosity::solution::{Solution, solve, solve_on};
 
 /// Runs `work` in a pool of this many threads.
 fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
@@ -18,18 +25,18 @@ fn bits(values: &[Rgb]) -> Vec<u64> {
 
 /// All numbers of a solution, and its picture.
 fn everything(scene: &Scene, solution: &Solution) -> (Vec<u64>, Vec<u8>) {
-    let ledger = solution.ledger;
+    let ledger = solution.field.ledger;
     let sums = [ledger.absorbed, ledger.escaped, ledger.unshot, ledger.imbalance];
     let mut all = bits(&solution.radiosity);
     all.extend(bits(&solution.irradiance));
-    all.extend(bits(&solution.displayed));
+    all.extend(bits(&solution.vertex_radiosity));
     all.extend(bits(&sums));
     let certificate = solution.certificate;
     let numbers = [certificate.error, certificate.low, certificate.high];
     all.extend(numbers.map(f64::to_bits));
-    all.push(solution.steps as u64);
+    all.push(solution.field.steps as u64);
     let shot = Shot { camera: scene.camera, width: 40, height: 40, samples: 2 };
-    let picture = shot.smooth(&solution.mesh, &solution.vertex_radiosity);
+    let picture = shot.smooth(&solution.field.mesh, &solution.vertex_radiosity);
     (all, picture.display(1.0).into_raw())
 }
 
@@ -38,25 +45,35 @@ fn everything(scene: &Scene, solution: &Solution) -> (Vec<u64>, Vec<u8>) {
 fn one_thread_and_two_give_the_same_bytes() {
     let (analytic, cast, cubes) =
         (Factors::Analytic, Factors::Sampling(64), Factors::Hemicube(32));
-    for (name, edge, factors, method) in [
-        ("facing-squares", 0.3, analytic, Method::Gather),
-        ("facing-squares", 0.3, analytic, Method::Shoot),
-        ("facing-squares", 0.3, cast, Method::Gather),
-        ("facing-squares", 0.3, cast, Method::Shoot),
-        ("facing-squares", 0.3, cubes, Method::Gather),
-        ("facing-squares", 0.3, cubes, Method::Shoot),
-        ("cornell-regular", 2.0, analytic, Method::Shoot),
-        ("cornell-regular", 2.0, cubes, Method::Gather),
+    for (name, edge, factors, solver) in [
+        ("facing-squares", 0.3, analytic, MatrixSolver::Gather),
+        ("facing-squares", 0.3, analytic, MatrixSolver::Shoot),
+        ("facing-squares", 0.3, cast, MatrixSolver::Gather),
+        ("facing-squares", 0.3, cast, MatrixSolver::Shoot),
+        ("facing-squares", 0.3, cubes, MatrixSolver::Gather),
+        ("facing-squares", 0.3, cubes, MatrixSolver::Shoot),
+        ("cornell-regular", 2.0, analytic, MatrixSolver::Shoot),
+        ("cornell-regular", 2.0, cubes, MatrixSolver::Gather),
     ] {
         let scene = built_in(name).unwrap();
-        let options = Options { factors, method, ..Options::default() };
+        let method = Classical { solver, ..Classical::by(factors) };
         let run = || {
             let mesh = Mesh::uniform(&scene, edge);
-            everything(&scene, &solve_on(&scene, mesh, &options, &|_, _, _| {}))
+            everything(
+                &scene,
+                &solve_on(
+                    &Room::of(&scene),
+                    &method,
+                    mesh,
+                    &Goal::default(),
+                    &Work::quiet(),
+                )
+                .unwrap(),
+            )
         };
         assert!(
             on_threads(1, run) == on_threads(2, run),
-            "{name} {factors:?} {method:?}"
+            "{name} {factors:?} {solver:?}"
         );
     }
 }
@@ -65,9 +82,15 @@ fn one_thread_and_two_give_the_same_bytes() {
 #[test]
 fn refinement_takes_the_same_way() {
     let scene = built_in("facing-squares").unwrap();
-    let options = Options { tolerance: 0.05, most_elements: 500, ..Options::default() };
-    let run = || everything(&scene, &solve(&scene, &options, &|_, _, _| {}));
-    assert!(on_threads(1, run) == on_threads(2, run));
+    let goal = Goal { most_elements: 500, ..Goal::within(0.05) };
+    let methods: [&dyn Pass1; 3] = [&Classical::default(), &Smooth, &Links];
+    for method in methods {
+        let run = || {
+            let found = solve(&Room::of(&scene), method, &goal, &Work::quiet());
+            everything(&scene, &found.unwrap())
+        };
+        assert!(on_threads(1, run) == on_threads(2, run));
+    }
 }
 
 /// A seed names the random numbers: another one gives others, the same one the same.
@@ -76,9 +99,13 @@ fn a_seed_names_the_run() {
     let scene = built_in("facing-squares").unwrap();
     let run = |seed| {
         let factors = Factors::Sampling(64);
-        let options = Options { factors, seed, ..Options::default() };
+        let (method, goal) = (Classical::by(factors), Goal { seed, ..Goal::default() });
         let mesh = Mesh::uniform(&scene, 0.3);
-        bits(&solve_on(&scene, mesh, &options, &|_, _, _| {}).radiosity)
+        bits(
+            &solve_on(&Room::of(&scene), &method, mesh, &goal, &Work::quiet())
+                .unwrap()
+                .radiosity,
+        )
     };
     assert!(run(1) == run(1) && run(1) != run(2));
 }

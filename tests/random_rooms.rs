@@ -13,19 +13,23 @@ mod common;
 
 use common::random_rooms::{EACH, Family, RandomRoom, random_room};
 use glam::DVec3;
+use radiosity::field::Pass1;
+use radiosity::field::Smooth;
 use radiosity::field::gather_unbiased;
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::mesh::{Element, ElementId, Mesh};
 use radiosity::plan::{Plan, Planned};
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::Scene;
-use radiosity::solution::{Ask, Solution, resolution_for};
+use radiosity::solution::{Goal, Solution};
+use radiosity::work::Work;
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
 /// What is asked of each room, and what it may cost.
-const ASK: Ask =
-    Ask { tolerance: 0.2, seed: 0, most_patches: 300, most_elements: 4000 };
+const ASK: Goal =
+    Goal { tolerance: 0.2, seed: 0, most_patches: 300, most_elements: 4000 };
 
 /// Points of a field at which the truth is looked up.
 const POINTS: usize = 96;
@@ -76,27 +80,28 @@ fn outcomes() -> &'static [Outcome] {
 }
 
 fn planned(scene: &Scene) -> Planned {
-    Plan::of(scene, ASK.tolerance).run(&ASK, &|_, _, _| {})
+    let room = Room::of(scene);
+    Plan::of(&room, ASK.tolerance).run(&room, &ASK, &Work::quiet()).unwrap()
 }
 
 fn outcome(family: Family, number: u64) -> Outcome {
     let room = random_room(family, number);
     let done = planned(&room.scene);
     let solution = &done.solution;
-    let (ledger, certificate) = (&solution.ledger, solution.certificate);
+    let (ledger, certificate) = (&solution.field.ledger, solution.certificate);
     let fields =
         [&solution.radiosity, &solution.irradiance, &solution.vertex_radiosity];
     let of_ledger = [ledger.emitted, ledger.absorbed, ledger.escaped];
-    let numbers = fields.into_iter().flatten().chain(&solution.displayed);
+    let numbers = fields.into_iter().flatten();
     let fine = |x: &Rgb| x.is_finite() && x.cmpge(Rgb::ZERO).all();
     let sum = ledger.absorbed + ledger.escaped + ledger.unshot + ledger.imbalance;
     let books = (sum - ledger.emitted).abs() / ledger.emitted.max_element();
-    let areas = solution.mesh.polygons().map(Polygon::area);
+    let areas = solution.field.mesh.polygons().map(Polygon::area);
     let sent: Rgb = areas.zip(&solution.radiosity).map(|(a, &b)| a * b).sum();
     let share = (ledger.imbalance.abs() / sent).max_element();
     let truth = Truth::of(&room, solution);
-    let hemicubes = done.passes.iter().map(|p| p.hemicubes).sum();
-    let first = resolution_for(&room.scene, ASK.tolerance).patch;
+    let hemicubes = solution.attempts.iter().map(|a| a.rows).sum();
+    let first = Smooth.first(&Room::of(&room.scene), ASK.tolerance).patch;
     Outcome {
         name: format!("{family:?} {number}"),
         family,
@@ -112,9 +117,9 @@ fn outcome(family: Family, number: u64) -> Outcome {
         imbalance: ledger.worst_imbalance(),
         in_errors: share / certificate.high.max(1e-9),
         work: [
-            done.passes.len(),
-            solution.patches,
-            solution.mesh.elements.len(),
+            solution.attempts.len(),
+            solution.field.patches,
+            solution.field.mesh.elements.len(),
             hemicubes,
         ],
         fewest_patches: Mesh::count_uniform(&room.scene, first),
@@ -129,7 +134,7 @@ struct Truth {
 
 impl Truth {
     fn of(room: &RandomRoom, solution: &Solution) -> Truth {
-        let (scene, mesh) = (&room.scene, &solution.mesh);
+        let (scene, mesh) = (&room.scene, &solution.field.mesh);
         let material =
             |e: &Element| &scene.materials[mesh.patch_of(e).material.0 as usize];
         let places = places(mesh, &|e| material(e).scattered() != Rgb::ZERO);
@@ -144,7 +149,7 @@ impl Truth {
         let walked = |seed: u64| -> Vec<Rgb> {
             match room.known {
                 Some(b) => vec![b; places.len()],
-                None => gather_unbiased(scene, &pieces, walks, seed)
+                None => gather_unbiased(&Room::of(scene), &pieces, walks, seed)
                     .iter()
                     .map(|found| found.irradiance)
                     .collect(),

@@ -5,11 +5,15 @@ mod common;
 
 use common::rooms::{box_walls, moved, rectangle, scene};
 use glam::{DVec3, dvec3};
-use radiosity::field::Resolution;
+use radiosity::field::Fineness;
+use radiosity::field::Pass1;
+use radiosity::field::Smooth;
 use radiosity::geometry::Polygon;
 use radiosity::mesh::Mesh;
+use radiosity::room::Room;
 use radiosity::scene::Scene;
-use radiosity::solution::{Ask, Pass, Solution, automatic, resolution_for};
+use radiosity::solution::{Goal, Solution, solve, solve_from};
+use radiosity::work::Work;
 
 /// A cube with something in it, all of it of this reflectance.
 fn cube_with(others: impl IntoIterator<Item = (Polygon, f64)>, rho: f64) -> Scene {
@@ -25,9 +29,8 @@ fn box_at(low: DVec3, size: DVec3, e: f64) -> impl Iterator<Item = (Polygon, f64
     })
 }
 
-fn solved(scene: &Scene, ask: &Ask) -> (Solution, Vec<Pass>) {
-    let first = resolution_for(scene, ask.tolerance);
-    automatic(scene, first, ask, &|_, _, _| {})
+fn solved(scene: &Scene, goal: &Goal) -> Solution {
+    solve(&Room::of(scene), &Smooth, goal, &Work::quiet()).unwrap()
 }
 
 /// A lamp that is small and near a wall lights a spot that is smaller than an element. At the
@@ -43,8 +46,9 @@ fn the_spot_beside_a_small_lamp_is_found() {
         [("hanging", hanging), ("standing", standing), ("leaning", leaning)]
     {
         let scene = cube_with([(lamp, 1.0)], 0.5);
-        let (found, passes) = solved(&scene, &Ask { tolerance: 0.1, ..Ask::default() });
-        assert!(found.converged && passes.len() <= 2, "{what}: {passes:?}");
+        let found = solved(&scene, &Goal::within(0.1));
+        let attempts = &found.attempts;
+        assert!(found.converged && attempts.len() <= 2, "{what}: {attempts:?}");
     }
 }
 
@@ -54,12 +58,14 @@ fn the_spot_beside_a_small_lamp_is_found() {
 fn beneath_a_box_that_hovers_is_another_room() {
     let low = dvec3(0.31, 0.42, 1e-4);
     let scene = cube_with(box_at(low, dvec3(0.13, 0.27, 0.4), 1.0), 0.7);
-    let (found, _) = solved(&scene, &Ask { tolerance: 0.1, ..Ask::default() });
+    let found = solved(&scene, &Goal::within(0.1));
     assert!(found.converged, "{:?}", found.certificate);
     // Light goes to and fro and hardly gets out: B = 1 + ρ² B below the box.
-    let beneath = found.mesh.elements.iter().zip(&found.radiosity).find(|(e, _)| {
-        found.mesh.surface_of(e) == 4 && e.polygon.contains(dvec3(0.37, 0.55, 0.0), 0.0)
-    });
+    let beneath =
+        found.field.mesh.elements.iter().zip(&found.radiosity).find(|(e, _)| {
+            found.field.mesh.surface_of(e) == 4
+                && e.polygon.contains(dvec3(0.37, 0.55, 0.0), 0.0)
+        });
     let b = beneath.unwrap().1.x;
     let expected = 0.7 / (1.0 - 0.49);
     assert!((b / expected - 1.0).abs() < 0.02, "{b} {expected}");
@@ -87,8 +93,8 @@ fn no_light_is_negative() {
     let low = dvec3(0.3458, 0.2544, 0.0);
     let lamp = rectangle(dvec3(0.4692, 0.0, 0.0077), 0.05 * DVec3::Z, 0.05 * DVec3::X);
     let others = box_at(low, dvec3(0.1822, 0.3553, 0.3332), 0.0).chain([(lamp, 1.0)]);
-    let ask = Ask { tolerance: 0.1, most_patches: 300, most_elements: 3000, seed: 0 };
-    let (found, _) = solved(&cube_with(others, 0.41), &ask);
+    let ask = Goal { tolerance: 0.1, most_patches: 300, most_elements: 3000, seed: 0 };
+    let found = solved(&cube_with(others, 0.41), &ask);
     for b in found.radiosity.iter().chain(&found.vertex_radiosity) {
         assert!(b.min_element() >= 0.0, "{b}");
     }
@@ -101,11 +107,12 @@ fn elements_stay_within_what_is_allowed() {
     let screen = rectangle(dvec3(0.4, 0.4, 0.3), 0.2 * DVec3::X, 0.2 * DVec3::Y);
     let scene = cube_with([(lamp, 1.0), (screen, 0.0)], 0.5);
     for most_elements in [400, 1000, 3000] {
-        let ask = Ask { tolerance: 1e-3, most_elements, most_patches: 300, seed: 0 };
-        let how = Resolution { most_elements, ..resolution_for(&scene, 0.05) };
-        let first = Resolution { direct: 1e-4, ..how };
-        let (found, _) = automatic(&scene, first, &ask, &|_, _, _| {});
-        let elements = found.mesh.elements.len();
+        let ask = Goal { tolerance: 1e-3, most_elements, most_patches: 300, seed: 0 };
+        let room = Room::of(&scene);
+        let how = Fineness { most_elements, ..Smooth.first(&room, 0.05) };
+        let first = Fineness { direct: 1e-4, ..how };
+        let found = solve_from(&room, &Smooth, first, &ask, &Work::quiet()).unwrap();
+        let elements = found.field.mesh.elements.len();
         assert!(elements <= most_elements + most_elements / 4, "{elements}");
     }
 }

@@ -4,21 +4,24 @@ mod common;
 
 use common::cases;
 use common::rooms::{box_walls, scene};
-use radiosity::field::{Resolution, Smooth, gather_unbiased, smooth};
+use radiosity::field::gather_unbiased;
+use radiosity::field::{Classical, Factors, Field, Fineness, Pass1, Smooth};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::Mesh;
 use radiosity::room::Direct;
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solution::{Ask, Factors, Options, automatic, resolution_for, solve_on};
+use radiosity::solution::{Goal, solve, solve_from, solve_on};
 use radiosity::solve::Enclosure;
+use radiosity::work::Work;
 
-fn solved(scene: &Scene, tolerance: f64) -> Smooth {
-    smooth(scene, &resolution_for(scene, tolerance), &|_, _, _| {})
+fn solved(scene: &Scene, tolerance: f64) -> Field {
+    Smooth::once(&Room::of(scene), tolerance)
 }
 
 /// The mean irradiance over the elements of a mesh for which `belongs` holds.
-fn mean(light: &Smooth, belongs: impl Fn(usize) -> bool) -> Rgb {
-    let of_elements = light.mesh.element_means(&light.irradiance);
+fn mean(light: &Field, belongs: impl Fn(usize) -> bool) -> Rgb {
+    let of_elements = light.irradiance();
     let (mut sum, mut area) = (Rgb::ZERO, 0.0);
     for (k, element) in
         light.mesh.elements.iter().enumerate().filter(|(k, _)| belongs(*k))
@@ -37,7 +40,7 @@ fn the_furnace_is_even() {
         let scene = scene(box_walls([1.0, 2.0, 0.5]).map(|wall| (wall, 1.0, rho)));
         let light = solved(&scene, 0.01);
         // B = E + ρ H = E/(1 − ρ), so that H is 1/(1 − ρ) as well.
-        for h in &light.irradiance {
+        for h in &light.sources[0].front.of_vertices {
             assert!((h.x * (1.0 - rho) - 1.0).abs() < 1e-3, "{rho}: {h}");
         }
     }
@@ -79,7 +82,7 @@ fn walks_agree_in_the_cornell_box() {
     let scene = built_in("cornell-regular").unwrap();
     let light = solved(&scene, 0.005);
     let patches = Mesh::patched(&scene, 2.0);
-    let walked = gather_unbiased(&scene, &patches, 4000, 1);
+    let walked = gather_unbiased(&Room::of(&scene), &patches, 4000, 1);
     let (mut off, mut noise, mut all) = (Rgb::ZERO, Rgb::ZERO, Rgb::ZERO);
     for (patch, walked) in patches.elements.iter().zip(&walked) {
         let inside = |k: usize| {
@@ -123,12 +126,20 @@ fn a_fifth_of_the_elements_suffices() {
         let scene = built_in(name).unwrap();
         let edge = 0.02 * scene.diagonal();
         let even = Mesh::uniform(&scene, edge);
-        let options = Options { factors: Factors::Hemicube(128), ..Options::default() };
-        let even = solve_on(&scene, even, &options, &|_, _, _| {});
-        let ask = Ask { tolerance: 1.1 * even.certificate.error, ..Ask::default() };
-        let first = resolution_for(&scene, ask.tolerance);
-        let (found, passes) = automatic(&scene, first, &ask, &|_, _, _| {});
-        let (few, many) = (found.mesh.elements.len(), even.mesh.elements.len());
+        let method = Classical::by(Factors::Hemicube(128));
+        let even = solve_on(
+            &Room::of(&scene),
+            &method,
+            even,
+            &Goal::default(),
+            &Work::quiet(),
+        )
+        .unwrap();
+        let ask = Goal { tolerance: 1.1 * even.certificate.error, ..Goal::default() };
+        let found = solve(&Room::of(&scene), &Smooth, &ask, &Work::quiet()).unwrap();
+        let passes = &found.attempts;
+        let (few, many) =
+            (found.field.mesh.elements.len(), even.field.mesh.elements.len());
         let sooner = found.certificate.error <= even.certificate.error;
         println!(
             "{name}: {few} {:?} against {many} {:?}",
@@ -186,14 +197,16 @@ fn many_lamps_are_gathered() {
 fn automatic_meets_what_is_asked() {
     for (name, tolerance) in [("l-room", 0.03), ("cornell-regular", 0.02)] {
         let scene = built_in(name).unwrap();
-        let ask = Ask { tolerance, ..Ask::default() };
-        let first = resolution_for(&scene, tolerance);
-        let (found, passes) = automatic(&scene, first, &ask, &|_, _, _| {});
+        let ask = Goal::within(tolerance);
+        let room = Room::of(&scene);
+        let found = solve(&room, &Smooth, &ask, &Work::quiet()).unwrap();
+        let passes = &found.attempts;
         assert!(found.converged && found.certificate.high <= tolerance, "{passes:?}");
-        let few = Ask { most_patches: 10, tolerance: 1e-4, ..ask };
-        let coarse = Resolution { patch: scene.diagonal(), ..first };
-        let (found, passes) = automatic(&scene, coarse, &few, &|_, _, _| {});
-        assert!(!found.converged && passes.len() == 1);
+        let few = Goal { most_patches: 10, tolerance: 1e-4, ..ask };
+        let first = Smooth.first(&room, tolerance);
+        let coarse = Fineness { patch: scene.diagonal(), ..first };
+        let found = solve_from(&room, &Smooth, coarse, &few, &Work::quiet()).unwrap();
+        assert!(!found.converged && found.attempts.len() == 1);
     }
 }
 
@@ -205,7 +218,7 @@ fn nothing_is_lit_or_little() {
     walls[0].1 = 1.0;
     for scene in [black, scene(walls)] {
         let light = solved(&scene, 0.1);
-        assert!(light.irradiance.iter().all(|h| h.is_finite()));
+        assert!(light.irradiance().iter().all(|h| h.is_finite()));
         let enclosure = Enclosure::of(&scene, &light.mesh);
         assert_eq!(enclosure.len(), light.mesh.elements.len());
     }

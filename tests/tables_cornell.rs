@@ -5,14 +5,17 @@ mod common;
 
 use common::rooms::{face_means, gathered, solved_by};
 use common::{cases, within};
+use radiosity::field::Smooth;
 use radiosity::form_factor::FormFactors;
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::geometry::Rgb;
 use radiosity::mesh::{ElementId, Mesh};
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solution::{Ask, automatic, resolution_for};
+use radiosity::solution::{Goal, solve};
 use radiosity::solve::{Brightest, Enclosure, Shoot};
+use radiosity::work::Work;
 
 const FACES: [&str; 16] = [
     "floor", "back", "green", "red", "ceiling", "light", "short0", "short1", "short2",
@@ -152,11 +155,10 @@ const WALKED: [([f64; 2], [f64; 2]); 16] = [
 fn what_is_found_automatically_face_by_face() {
     const NOT_AT_REST: [&str; 5] = ["short1", "short2", "short4", "tall3", "tall4"];
     let scene = cornell();
-    let ask = Ask::default();
-    let first = resolution_for(&scene, ask.tolerance);
-    let (found, _) = automatic(&scene, first, &ask, &|_, _, _| {});
+    let ask = Goal::default();
+    let found = solve(&Room::of(&scene), &Smooth, &ask, &Work::quiet()).unwrap();
     assert!(ask.tolerance == 0.01 && found.converged);
-    let means = face_means(&scene, &found.mesh, &found.radiosity);
+    let means = face_means(&scene, &found.field.mesh, &found.radiosity);
     let tables = cases("F_cornell_radiosity");
     for (k, channel) in (0..16).flat_map(|k| [(k, 0), (k, 1)]) {
         let (face, got, table) = (FACES[k], means[k][channel], &tables[channel]);

@@ -6,7 +6,7 @@ use radiosity::solve::Ledger;
 
 /// Where the light went: a line for each entry, channel by channel, in W and as a share.
 pub fn table(solution: &Solution) -> String {
-    of(&solution.ledger)
+    of(&solution.field.ledger)
 }
 
 /// The same of a ledger by itself.

@@ -7,8 +7,10 @@ use radiosity::chart::suites::plan::{
 };
 use radiosity::film::{RgbImage, Shot};
 use radiosity::plan::{Plan, Planned, Predicted};
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in, builtins};
-use radiosity::solution::Ask;
+use radiosity::solution::Goal;
+use radiosity::work::Work;
 use std::fmt::Write;
 use std::sync::OnceLock;
 
@@ -29,7 +31,11 @@ fn cornell() -> &'static Scene {
 /// The Cornell box as it was planned and done.
 fn done() -> &'static [Planned; 3] {
     static DONE: OnceLock<[Planned; 3]> = OnceLock::new();
-    let plan = |asked| Plan::of(cornell(), asked).run(&Ask::default(), &|_, _, _| {});
+    let room = Room::of(cornell());
+    let plan = |asked| {
+        let (plan, quiet) = (Plan::of(&room, asked), Work::quiet());
+        plan.run(&room, &Goal::default(), &quiet).expect("it can be solved")
+    };
     DONE.get_or_init(|| ASKED.map(plan))
 }
 
@@ -38,9 +44,9 @@ pub fn picture(k: usize) -> RgbImage {
     let light = &done()[k].solution;
     let camera = cornell().camera;
     let shot = Shot { camera, width: SIZE, height: SIZE, samples: 2 };
-    let picture = shot.smooth(&light.mesh, &light.vertex_radiosity);
+    let picture = shot.smooth(&light.field.mesh, &light.vertex_radiosity);
     let exposure = picture.auto_exposure();
-    shot.with_mesh(picture.display(exposure), &light.mesh)
+    shot.with_mesh(picture.display(exposure), &light.field.mesh)
 }
 
 /// What is said below that picture.
@@ -49,8 +55,8 @@ fn caption(k: usize) -> String {
     format!(
         "asked for {} %: {} patches, {} elements, certified to {:.1} %",
         100.0 * ASKED[k],
-        light.patches,
-        light.mesh.elements.len(),
+        light.field.patches,
+        light.field.mesh.elements.len(),
         100.0 * light.certificate.high
     )
 }
@@ -58,20 +64,9 @@ fn caption(k: usize) -> String {
 /// What `radiosity explain` says of a scene.
 fn explained(name: &str) -> String {
     let scene = built_in(name).expect("it is built in");
-    let plan = Plan::of(&scene, 0.01);
+    let plan = Plan::of(&Room::of(&scene), 0.01);
     let lines: String = plan.decisions.iter().map(|d| d.to_string()).collect();
     format!("```text\n{lines}```\n")
-}
-
-/// Where what does not come to a surface goes, in the Cornell box.
-fn lost() -> String {
-    let survey = Plan::of(cornell(), 0.01).survey;
-    let (leaves, backs) = (100.0 * survey.escaping, 100.0 * survey.on_backs);
-    format!(
-        "(Of what the surfaces send {leaves:.1} % leave, {backs:.1} % fall on backs, which are \
-         black, and {:.1} % come to another surface.)",
-        100.0 - leaves - backs
-    )
 }
 
 /// The plans for all plain built-in scenes.
@@ -81,7 +76,7 @@ fn plans() -> String {
          hemicubes | elements |\n|---|---|---|---|---|---|---|---|---|\n",
     );
     for scene in builtins().iter().map(|b| (b.make)()).filter(Scene::is_plain) {
-        let plan = Plan::of(&scene, 0.01);
+        let plan = Plan::of(&Room::of(&scene), 0.01);
         let (seen, work) = (&plan.survey, plan.predicted);
         let shadows = plan.decisions.iter().find(|d| d.what == "shadows");
         let shadowed = match shadows {
@@ -130,7 +125,7 @@ fn row<'t>(trials: &'t [Trial], done: &'t Trial) -> Option<Row<'t>> {
         done,
         certified: of(CERTIFIED)?.error,
         likely: of(LIKELY)?.error,
-        predicted: Plan::of(&scene, done.setting).predicted,
+        predicted: Plan::of(&Room::of(&scene), done.setting).predicted,
         best: of(BEST),
         bare: of(BARE),
     })
@@ -214,7 +209,7 @@ fn regret(rows: &[Row]) -> String {
          certificates included; where it meets what was asked, {:.1} times at worst, and by \
          counts {:.1} times. (Where it does not, it has tried several times.) The light alone, \
          without certificates, is {:.1} times the work at worst: where the proof costs most, \
-         the plan need not be stingy with light. Whoever needs no proof would have been done in \
+         the plan need not be stingy with light. Who needs no proof would have been done in \
          {:.2} of the plan's time.\n",
         plan / best,
         worst(0),
@@ -258,7 +253,6 @@ pub fn files() -> Vec<(String, String)> {
     let rows = rows(&trials);
     let mut files = vec![
         ("generated/needs-cornell.md".to_string(), explained("cornell")),
-        ("generated/needs-lost.md".into(), lost()),
         ("generated/needs-furnace.md".into(), explained("furnace")),
         ("generated/needs-plans.md".into(), plans()),
         ("generated/needs-given.md".into(), given(&rows)),

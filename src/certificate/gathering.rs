@@ -1,7 +1,7 @@
 //! Gathers light at points, independently of any form factor.
 
 use super::strata::{NONE, Piece, Strata};
-use super::{Field, Sampling};
+use super::{Judged, Sampling};
 use crate::form_factor::ray_from;
 use crate::geometry::{Frame, Polygon, Rgb};
 use crate::material::Material;
@@ -10,6 +10,7 @@ use crate::random::Stream;
 use crate::room::Direct;
 use crate::scene::Scene;
 use crate::specular::{Arrival, Branching, Carries, Met, Specular};
+use crate::visibility::Visibility;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -40,10 +41,10 @@ pub(super) struct Gathering<'a> {
     scene: &'a Scene,
     mesh: &'a Mesh,
     strata: &'a Strata,
-    field: Field<'a>,
+    field: &'a Judged<'a>,
     sampling: Sampling,
     rays: Specular<'a>,
-    direct: Direct<'a>,
+    direct: &'a Direct<'a>,
 }
 
 /// What one gather finds.
@@ -56,16 +57,15 @@ struct Found {
 
 impl<'a> Gathering<'a> {
     pub fn new(
-        scene: &'a Scene,
-        mesh: &'a Mesh,
+        (scene, _, direct): (&'a Scene, &'a Visibility, &'a Direct<'a>),
         strata: &'a Strata,
-        field: Field<'a>,
+        field: &'a Judged<'a>,
         sampling: Sampling,
     ) -> Gathering<'a> {
+        let mesh = field.mesh;
         let surface = |p: &Piece| mesh.surface_of(&mesh.elements[p.element as usize]);
         let pieces = strata.pieces.iter().map(|p| (surface(p), &p.polygon));
         let rays = Specular::of_pieces(scene, pieces);
-        let direct = Direct::of(scene);
         Gathering { scene, mesh, strata, field, sampling, rays, direct }
     }
 
@@ -100,7 +100,7 @@ impl<'a> Gathering<'a> {
             direct += *tau * self.direct.on(back).irradiance(x);
         }
         let e = material.emission();
-        let b = (self.field)(ElementId(piece.element), x);
+        let b = (self.field.radiosity)(ElementId(piece.element), x);
         // ANCHOR: residual
         let gather = |set: u64| {
             let name = [h as u64, k as u64, set];
@@ -158,8 +158,11 @@ impl<'a> Gathering<'a> {
                 // Of a black surface the truth is known.
                 let h = self.strata.of_piece[piece as usize];
                 let element = ElementId(self.strata.pieces[piece as usize].element);
-                let light =
-                    if h == NONE { emission } else { (self.field)(element, point) };
+                let light = if h == NONE {
+                    emission
+                } else {
+                    (self.field.radiosity)(element, point)
+                };
                 found.light += share * (light - summed);
                 if h != NONE {
                     found.met.push((h, share));

@@ -29,7 +29,9 @@ mod strata;
 
 use crate::geometry::Rgb;
 use crate::mesh::{Element, ElementId, Mesh};
+use crate::room::Direct;
 use crate::scene::Scene;
+use crate::visibility::Visibility;
 use gathering::{Gathering, Point};
 use glam::DVec3;
 use interval::Norm;
@@ -80,20 +82,33 @@ impl Default for Sampling {
 
 const CONFIDENCE: f64 = 0.95;
 
-/// A field: the radiosity in W/m² at a point of an element.
-type Field<'a> = &'a (dyn Fn(ElementId, DVec3) -> Rgb + Sync);
+/// What is judged: a field of light, and the mesh that names its points.
+#[derive(Clone, Copy)]
+pub struct Judged<'a> {
+    /// The elements.
+    pub mesh: &'a Mesh,
+    /// The radiosity, in W/m², at a point of an element.
+    pub radiosity: &'a (dyn Fn(ElementId, DVec3) -> Rgb + Sync),
+}
 
-/// Measures the error of `field`, the radiosity in W/m² at a point of an element.
+impl std::fmt::Debug for Judged<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.debug_struct("Judged").field("mesh", self.mesh).finish_non_exhaustive()
+    }
+}
+
+/// Measures the error of a field.
 ///
 /// # Accuracy
 /// As [`audit`].
 pub fn certify(
     scene: &Scene,
-    mesh: &Mesh,
-    field: Field,
+    visibility: &Visibility,
+    lamps: &Direct,
+    field: &Judged,
     sampling: Sampling,
 ) -> Certificate {
-    audit(scene, mesh, field, sampling).certificate
+    audit(scene, visibility, lamps, field, sampling).certificate
 }
 
 /// Measures the error of `field`, and where it is.
@@ -102,12 +117,19 @@ pub fn certify(
 /// The interval holds with the confidence stated when the samples have met every feature:
 /// what no point falls on is not known. What single elements are said to be off by is
 /// noisy: each has but a few points.
-pub fn audit(scene: &Scene, mesh: &Mesh, field: Field, sampling: Sampling) -> Audit {
-    let material = |e: &Element| &scene.materials[mesh.patch_of(e).material.0 as usize];
-    let scattered: Vec<Rgb> =
-        mesh.elements.iter().map(|e| material(e).scattered()).collect();
+pub fn audit(
+    scene: &Scene,
+    visibility: &Visibility,
+    lamps: &Direct,
+    field: &Judged,
+    sampling: Sampling,
+) -> Audit {
+    let mesh = field.mesh;
+    let scattered = |e: &Element| mesh.material(scene, e).scattered();
+    let scattered: Vec<Rgb> = mesh.elements.iter().map(scattered).collect();
     let strata = Strata::of(mesh, &scattered, sampling.points);
-    let points = Gathering::new(scene, mesh, &strata, field, sampling).all();
+    let points =
+        Gathering::new((scene, visibility, lamps), &strata, field, sampling).all();
     let exchange = Exchange::of(&strata, &scattered, &points);
     let means = exchange.errors(&points, sampling.seed);
     // ANCHOR: products
@@ -136,9 +158,11 @@ pub fn audit(scene: &Scene, mesh: &Mesh, field: Field, sampling: Sampling) -> Au
     Audit { certificate, residual: map(&of_residual), error: map(&of_error) }
 }
 
-/// A relative error; without light, none is no error, and any is without bound.
+/// A relative error; without light, none is no error, and any is without bound; what is not
+/// a number is not known to be small.
 fn ratio(error: f64, scale: f64) -> f64 {
     match (error, scale) {
+        (error, scale) if error.is_nan() || scale.is_nan() => f64::INFINITY,
         (0.0, _) => 0.0,
         (_, scale) if scale <= 0.0 => f64::INFINITY,
         (error, scale) => error / scale,

@@ -6,11 +6,11 @@
 //! ```
 
 use super::{Verdict, Work};
-use crate::field::{Resolution, Smooth, gather_unbiased, smooth};
+use crate::field::{Field, Fineness, Pass1, Smooth, gather_unbiased};
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
+use crate::room::Room;
 use crate::scene::Scene;
-use crate::solution::resolution_for;
 
 /// The patches of a scene and what is known of them.
 pub struct Patches<'a> {
@@ -26,9 +26,11 @@ impl<'a> Patches<'a> {
     /// Patches with edges no longer than `edge`, in scene units, and their true light.
     pub fn new(scene: &'a Scene, edge: f64) -> Patches<'a> {
         let unjudged = Patches::unjudged(scene, edge);
-        let how = resolution_for(scene, Patches::TRUTH);
-        let how = Resolution { patch: how.patch.min(0.5 * edge), hemicube: 96, ..how };
-        let truth = means(&unjudged.patches, &smooth(scene, &how, &|_, _, _| {}));
+        let room = Room::of(scene);
+        let how = Smooth.first(&room, Patches::TRUTH);
+        let how = Fineness { patch: how.patch.min(0.5 * edge), hemicube: 96, ..how };
+        let light = Smooth.field(&room, &how, &crate::work::Work::quiet());
+        let truth = means(&unjudged.patches, &light);
         Patches { truth, ..unjudged }
     }
 
@@ -45,10 +47,11 @@ impl<'a> Patches<'a> {
     /// Smooth light as it is resolved for this `tolerance` of the field: the mean irradiance
     /// of each patch, and the work.
     pub fn by_smooth(&self, tolerance: f64) -> (Vec<Rgb>, Work) {
-        let how = resolution_for(self.scene, tolerance);
-        let light = smooth(self.scene, &how, &|_, _, _| {});
-        let pixels = 3 * u64::from(how.hemicube).pow(2) * light.hemicubes as u64;
-        let (patches, steps) = (light.patches as u64, light.rounds as u64);
+        let room = Room::of(self.scene);
+        let how = Smooth.first(&room, tolerance);
+        let light = Smooth.field(&room, &how, &crate::work::Work::quiet());
+        let pixels = 3 * u64::from(how.hemicube).pow(2) * light.rows as u64;
+        let (patches, steps) = (light.patches as u64, light.steps as u64);
         let work =
             Work { pixels, steps, factors: patches * patches, ..Work::default() };
         (means(&self.patches, &light), work)
@@ -56,7 +59,7 @@ impl<'a> Patches<'a> {
 
     /// The same by so many random walks from each patch.
     pub fn by_walks(&self, walks: usize, seed: u64) -> (Vec<Rgb>, Work) {
-        let found = gather_unbiased(self.scene, &self.patches, walks, seed);
+        let found = gather_unbiased(&Room::of(self.scene), &self.patches, walks, seed);
         let rays = (walks * self.patches.elements.len()) as u64;
         let work = Work { rays, ..Work::default() };
         (found.iter().map(|g| g.irradiance).collect(), work)
@@ -75,8 +78,8 @@ impl<'a> Patches<'a> {
 }
 
 /// The mean irradiance of each of `patches`.
-fn means(patches: &Mesh, light: &Smooth) -> Vec<Rgb> {
-    let of_elements = light.mesh.element_means(&light.irradiance);
+fn means(patches: &Mesh, light: &Field) -> Vec<Rgb> {
+    let of_elements = light.irradiance();
     let mean = |patch: &crate::mesh::Element| {
         let surface = patches.surface_of(patch);
         let (mut sum, mut all) = (Rgb::ZERO, 0.0);

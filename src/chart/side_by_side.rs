@@ -13,10 +13,11 @@
 use crate::film::{Picture, Shot, luminance};
 use crate::geometry::Rgb;
 use crate::plan::Plan;
+use crate::room::Room;
 use crate::scene::Scene;
-use crate::solution::{Ask, Solution};
+use crate::solution::{Goal, Solution};
 use crate::trace::{Limits, Options, PathTracer, Table, Traced, TwoPass, Whitted};
-use crate::work::Progress;
+use crate::work::{Progress, Work};
 use std::fmt::Write;
 
 /// What each method may spend.
@@ -85,7 +86,7 @@ impl Comparison {
         let one = smooth(&solution, shot, clock, first);
         // ANCHOR: two_pass
         let (two, second) = timed(clock, || {
-            let (mesh, light) = (&solution.mesh, &solution.vertex_radiosity);
+            let (mesh, light) = (&solution.field.mesh, &solution.vertex_radiosity);
             let options = Options { seed: effort.seed, ..Options::default() };
             TwoPass::of(scene, mesh, light, options).picture(shot, progress).picture
         });
@@ -196,8 +197,10 @@ fn timed<T>(clock: &dyn Fn() -> f64, work: impl FnOnce() -> T) -> (T, f64) {
 }
 
 fn solved(scene: &Scene, effort: &Effort, progress: Progress) -> Solution {
-    let ask = Ask { tolerance: effort.tolerance, seed: effort.seed, ..Ask::default() };
-    Plan::of(scene, effort.tolerance).run(&ask, progress).solution
+    let goal = Goal { seed: effort.seed, ..Goal::within(effort.tolerance) };
+    let (room, work) = (Room::of(scene), Work::told(progress));
+    let done = Plan::of(&room, effort.tolerance).run(&room, &goal, &work);
+    done.expect("the scene has faces").solution
 }
 
 fn smooth(
@@ -206,7 +209,7 @@ fn smooth(
     clock: &dyn Fn() -> f64,
     before: f64,
 ) -> Made {
-    let (mesh, light) = (&solution.mesh, &solution.vertex_radiosity);
+    let (mesh, light) = (&solution.field.mesh, &solution.vertex_radiosity);
     let (picture, seconds) = timed(clock, || shot.smooth(mesh, light));
     (picture, before + seconds)
 }

@@ -7,7 +7,9 @@ use super::solve::{checked, sized};
 use super::values;
 use clap::Args;
 use radiosity::plan::{Plan, Predicted};
-use radiosity::solution::Ask;
+use radiosity::room::Room;
+use radiosity::solution::Goal;
+use radiosity::work::Work;
 use serde_json::{Value, json};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
@@ -70,7 +72,8 @@ impl Explain {
         let tolerance = values::positive("--tolerance", self.tolerance)?;
         let scene = self.source.load(terminal)?;
         if self.run { checked(&scene) } else { sized(&scene) }?;
-        let plan = Plan::of(&scene, tolerance);
+        let room = Room::of(&scene);
+        let plan = Plan::of(&room, tolerance);
         let mut text = format!(
             "What {} needs to be right to {}:\n\n",
             scene.name,
@@ -88,7 +91,7 @@ impl Explain {
             "predicted": predicted(&plan.predicted),
         });
         if self.run {
-            let (told, spent) = self.spent(&plan, seed, terminal);
+            let (told, spent) = self.spent(&room, &plan, seed, terminal)?;
             text += &told;
             object["spent"] = spent;
         }
@@ -96,17 +99,24 @@ impl Explain {
     }
 
     /// Runs the plan: what it cost, in words and as JSON.
-    fn spent(&self, plan: &Plan, seed: u64, terminal: &Terminal) -> (String, Value) {
+    fn spent(
+        &self,
+        room: &Room,
+        plan: &Plan,
+        seed: u64,
+        terminal: &Terminal,
+    ) -> Result<(String, Value), Refusal> {
         let watch = Mutex::new(Watch::start());
-        let ask = Ask { tolerance: plan.tolerance, seed, ..Ask::default() };
-        let done = plan.run(&ask, &|what, done, all| {
+        let goal = Goal { seed, ..Goal::within(plan.tolerance) };
+        let progress = |what: &'static str, done, all| {
             watch.lock().unwrap_or_else(PoisonError::into_inner).during(what);
             terminal.progress(what, done, all);
-        });
+        };
+        let done = plan.run(room, &goal, &Work::told(&progress))?;
         let mut watch = watch.into_inner().unwrap_or_else(PoisonError::into_inner);
         watch.stop();
         let seconds = watch.start.elapsed().as_secs_f64();
-        let hemicubes: usize = done.passes.iter().map(|p| p.hemicubes).sum();
+        let hemicubes: usize = done.solution.attempts.iter().map(|p| p.rows).sum();
         let solution = &done.solution;
         let mut text = "\nDone:\n\n".to_string();
         for line in &done.decisions[plan.decisions.len()..] {
@@ -120,17 +130,17 @@ impl Explain {
         let stages: serde_json::Map<String, Value> =
             watch.stages.iter().map(|&(s, t)| (s.into(), json!(t))).collect();
         let spent = json!({
-            "patches": solution.patches,
+            "patches": solution.field.patches,
             "hemicubes": hemicubes,
-            "elements": solution.mesh.elements.len(),
-            "passes": done.passes.len(),
+            "elements": solution.field.mesh.elements.len(),
+            "passes": solution.attempts.len(),
             "seconds": seconds,
             "stages": stages,
             "converged": solution.converged,
             "error": solution.certificate.error,
             "high": solution.certificate.high,
         });
-        (text, spent)
+        Ok((text, spent))
     }
 }
 

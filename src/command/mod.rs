@@ -21,7 +21,6 @@ mod scenes;
 mod sky;
 mod solve;
 mod tables;
-mod told;
 mod values;
 
 use clap::{Args, Parser, Subcommand};

@@ -19,13 +19,14 @@ pub fn rgb(value: Rgb) -> Value {
 /// A number that is infinite, such as an error that has no bound, is `null`.
 pub fn json(solution: &Solution, plan: &[String], tolerance: f64) -> Value {
     let Certificate { error, low, high, confidence } = solution.certificate;
-    let Ledger { emitted, absorbed, escaped, unshot, imbalance } = solution.ledger;
+    let Ledger { emitted, absorbed, escaped, unshot, imbalance } =
+        solution.field.ledger;
     json!({
-        "elements": solution.mesh.elements.len(),
-        "patches": solution.patches,
+        "elements": solution.field.mesh.elements.len(),
+        "patches": solution.field.patches,
         "tolerance": tolerance,
         "converged": solution.converged,
-        "solver_residual": solution.solver_residual,
+        "solver_residual": solution.field.solver_residual,
         "certificate": {
             "error": error, "low": low, "high": high, "confidence": confidence,
         },
@@ -66,12 +67,13 @@ pub fn text(
     tolerance: f64,
     seconds: f64,
 ) -> String {
-    let (elements, patches) = (solution.mesh.elements.len(), solution.patches);
+    let (elements, patches) =
+        (solution.field.mesh.elements.len(), solution.field.patches);
     let mut text = format!(
         "{}: {elements} elements on {patches} patches, {} steps, {seconds:.1} s\n",
-        scene.name, solution.steps
+        scene.name, solution.field.steps
     );
-    text += &ledger(&solution.ledger);
+    text += &ledger(&solution.field.ledger);
     text += &certificate(&solution.certificate);
     let reached = match solution.converged {
         true => "reached",

@@ -4,9 +4,12 @@ use super::output::{Refusal, Terminal, check_writable, extension, write};
 use super::sky::Lit;
 use super::{report, tables, values};
 use clap::{Args, ValueEnum};
+use radiosity::field::{Classical, Factors, Links, MatrixSolver, Pass1};
 use radiosity::plan::Plan;
+use radiosity::room::Room;
 use radiosity::scene::Scene;
-use radiosity::solution::{self, Ask, Factors, Method, Options, Solution};
+use radiosity::solution::{self, Goal, Solution};
+use radiosity::work::Work;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -91,9 +94,9 @@ const MOST_SURFACES: usize = 16_000;
 /// What is to be done, when all options make sense.
 pub enum Way {
     /// What the scene needs.
-    Planned(Ask),
-    /// What was asked for, on a mesh of even fineness.
-    Fixed(Options),
+    Planned(Goal),
+    /// By the method that was asked for.
+    By(Box<dyn Pass1>, Goal),
 }
 
 impl How {
@@ -110,17 +113,18 @@ impl How {
             ));
         }
         let rays = samples(self.samples, self.form_factors)?.unwrap_or(RAYS);
-        let method = match (self.method, self.form_factors) {
+        let goal = Goal { seed, ..Goal::within(tolerance) };
+        let solver = match (self.method, self.form_factors) {
             (SolverMethod::Auto, FactorMethod::Auto) => {
                 self.no_levels()?;
-                return Ok(Way::Planned(Ask { tolerance, seed, ..Ask::default() }));
+                return Ok(Way::Planned(goal));
             }
-            (SolverMethod::Gather, _) => Method::Gather,
             (SolverMethod::Hierarchy, _) => {
                 self.no_levels()?;
-                Method::Hierarchy
+                return Ok(Way::By(Box::new(Links), goal));
             }
-            (SolverMethod::Auto | SolverMethod::Shoot, _) => Method::Shoot,
+            (SolverMethod::Gather, _) => MatrixSolver::Gather,
+            (SolverMethod::Auto | SolverMethod::Shoot, _) => MatrixSolver::Shoot,
         };
         let factors = match self.form_factors {
             FactorMethod::Analytic => Factors::Analytic,
@@ -129,14 +133,8 @@ impl How {
                 Factors::Hemicube(RESOLUTION)
             }
         };
-        Ok(Way::Fixed(Options {
-            method,
-            factors,
-            tolerance,
-            seed,
-            levels: self.levels.unwrap_or(Options::default().levels),
-            ..Options::default()
-        }))
+        let levels = self.levels.unwrap_or(Classical::default().levels);
+        Ok(Way::By(Box::new(Classical { solver, factors, levels }), goal))
     }
 
     /// Refuses `--levels` where nobody counts them.
@@ -198,20 +196,27 @@ pub fn sized(scene: &Scene) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Solves `scene`, if it can be solved; and what was decided on the way, one line each.
+/// Solves the room, if it can be solved; and what was decided on the way, one line each.
 pub fn solved(
-    scene: &Scene,
+    room: &Room,
     way: &Way,
     terminal: &Terminal,
 ) -> Result<(Solution, Vec<String>), Refusal> {
-    checked(scene)?;
+    checked(room.scene)?;
     let progress = |what: &'static str, done, all| terminal.progress(what, done, all);
+    let work = Work::told(&progress);
     Ok(match way {
-        Way::Planned(ask) => {
-            let done = Plan::of(scene, ask.tolerance).run(ask, &progress);
+        Way::Planned(goal) => {
+            let done = Plan::of(room, goal.tolerance).run(room, goal, &work)?;
             (done.solution, done.decisions)
         }
-        Way::Fixed(options) => (solution::solve(scene, options, &progress), Vec::new()),
+        Way::By(method, goal) => {
+            let solution = solution::solve(room, &**method, goal, &work)?;
+            if let Some(dropped) = &solution.dropped {
+                terminal.warn(&dropped.to_string());
+            }
+            (solution, Vec::new())
+        }
     })
 }
 
@@ -229,7 +234,7 @@ impl Solve {
         let way = self.how.way(seed)?;
         let scene = self.source.load(terminal)?;
         let start = Instant::now();
-        let (solution, plan) = solved(&scene, &way, terminal)?;
+        let (solution, plan) = solved(&Room::of(&scene), &way, terminal)?;
         let seconds = start.elapsed().as_secs_f64();
         let mut text = report::text(&scene, &solution, self.how.tolerance, seconds);
         if let Some((path, kind)) = file {

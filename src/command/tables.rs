@@ -22,9 +22,9 @@ pub fn faces(scene: &Scene, solution: &Solution) -> Vec<FaceLight> {
     // On the front and on the back of each, W.
     let mut arriving = vec![[Rgb::ZERO; 2]; scene.faces.len()];
     for (element, &irradiance) in
-        solution.mesh.elements.iter().zip(&solution.irradiance)
+        solution.field.mesh.elements.iter().zip(&solution.irradiance)
     {
-        let surface = &scene.surfaces[solution.mesh.surface_of(element) as usize];
+        let surface = &scene.surfaces[solution.field.mesh.surface_of(element) as usize];
         let side = usize::from(surface.side == Side::Back);
         arriving[surface.face.0 as usize][side] += element.polygon.area() * irradiance;
     }
@@ -56,7 +56,7 @@ pub fn csv(scene: &Scene, solution: &Solution) -> String {
 
 /// The elements with the radiosity at their corners, as ASCII PLY.
 pub fn ply(solution: &Solution) -> String {
-    let mesh = &solution.mesh;
+    let mesh = &solution.field.mesh;
     let mut text =
         format!("ply\nformat ascii 1.0\nelement vertex {}\n", mesh.vertices.len());
     for name in ["x", "y", "z", "B_r", "B_g", "B_b"] {
@@ -94,21 +94,23 @@ pub fn json(
     };
     all["faces"] = faces(scene, solution).iter().enumerate().map(face).collect();
     let side = |element| {
-        let surface = &scene.surfaces[solution.mesh.surface_of(element) as usize];
+        let surface = &scene.surfaces[solution.field.mesh.surface_of(element) as usize];
         if surface.side == Side::Front { "front" } else { "back" }
     };
-    let vertices = solution.mesh.vertices.iter().zip(&solution.vertex_radiosity);
-    let elements = solution.mesh.elements.iter().enumerate().map(|(k, element)| {
-        let corners: Vec<u32> = element.corners.iter().map(|corner| corner.0).collect();
-        json!({
-            "face": solution.mesh.patch_of(element).face.0,
-            "side": side(element),
-            "corners": corners,
-            "area": element.polygon.area(),
-            "B": rgb(solution.radiosity[k]),
-            "H": rgb(solution.irradiance[k]),
-        })
-    });
+    let vertices = solution.field.mesh.vertices.iter().zip(&solution.vertex_radiosity);
+    let elements =
+        solution.field.mesh.elements.iter().enumerate().map(|(k, element)| {
+            let corners: Vec<u32> =
+                element.corners.iter().map(|corner| corner.0).collect();
+            json!({
+                "face": solution.field.mesh.patch_of(element).face.0,
+                "side": side(element),
+                "corners": corners,
+                "area": element.polygon.area(),
+                "B": rgb(solution.radiosity[k]),
+                "H": rgb(solution.irradiance[k]),
+            })
+        });
     all["mesh"] = json!({
         "vertices": vertices
             .map(|(p, &b)| json!({ "position": p.to_array(), "B": rgb(b) }))

@@ -31,7 +31,7 @@ pub(super) type Peaks<'a> = &'a (dyn Fn(&Element) -> Vec<(DVec3, f64)> + Sync);
 
 /// Where an element is asked for its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Ask {
+pub(super) enum Asked {
     /// At the centre only, the edges being taken for half as wrong: where light is dear.
     Centre,
     /// At the centre and in the middle of each edge.
@@ -44,7 +44,7 @@ pub(super) struct Refinement<'a> {
     pub light: Light<'a>,
     /// `ρ` of an element.
     pub reflectance: &'a (dyn Fn(&Element) -> Rgb + Sync),
-    pub ask: Ask,
+    pub ask: Asked,
     /// Places in an element, beside the usual, where light may peak; and over what area.
     pub peaks: Peaks<'a>,
     /// Corners at the rim of a surface are asked this share of an element inside it.
@@ -88,7 +88,7 @@ impl Refinement<'_> {
         let total: f64 = patches.polygons().map(|p| p.area()).sum();
         self.ask_vertices(levels.elements(), &mut asked, &mut light);
         let mut known = HashMap::new();
-        let most_in_vain = IN_VAIN[(self.ask == Ask::All) as usize];
+        let most_in_vain = IN_VAIN[(self.ask == Asked::All) as usize];
         let (mut least, mut in_vain) = (f64::INFINITY, 0);
         loop {
             let mesh = levels.elements();
@@ -189,8 +189,8 @@ impl Refinement<'_> {
         // ANCHOR: simpson
         let centre = off(centre);
         let squares = match self.ask {
-            Ask::Centre => 5.0 / 9.0 * centre,
-            Ask::All => {
+            Asked::Centre => 5.0 / 9.0 * centre,
+            Asked::All => {
                 let middle = |k: usize| off(v[k].midpoint(v[(k + 1) % v.len()]));
                 let edges = (0..v.len()).map(middle).sum::<Rgb>() / v.len() as f64;
                 4.0 / 9.0 * (centre + edges)

@@ -15,7 +15,7 @@ use crate::form_factor::ray_from;
 use crate::geometry::{Frame, Rgb};
 use crate::mesh::Mesh;
 use crate::random::Stream;
-use crate::room::{Direct, OnPiece};
+use crate::room::{Direct, OnPiece, Room};
 use crate::scene::Scene;
 use crate::specular::{Arrival, Branching, Carries, Met, Specular};
 use glam::DVec3;
@@ -37,15 +37,15 @@ pub struct Gathered {
 /// Unbiased, mirrors, glass and the sky included; the standard error is told, and falls as
 /// one over the root of the walks.
 pub fn gather_unbiased(
-    scene: &Scene,
+    room: &Room,
     mesh: &Mesh,
     walks: usize,
     seed: u64,
 ) -> Vec<Gathered> {
-    let direct = Direct::of(scene);
+    let (scene, direct) = (room.scene, room.lamps());
     let on = scene.surfaces.iter().map(|s| direct.on(&s.polygon)).collect();
     let rays = Specular::of(scene);
-    let walker = Walker { scene, direct: &direct, on, rays };
+    let walker = Walker { scene, direct, on, rays };
     let of_element = |k: usize| {
         let mut random = Stream::named(seed, &[k as u64]);
         let surface = mesh.surface_of(&mesh.elements[k]);

@@ -195,6 +195,12 @@ impl Material {
         self.coefficients.shine
     }
 
+    /// `B = E + ρ H + τ H_behind`, W/m²: what leaves its front when this much arrives on the
+    /// front and on the other side.
+    pub fn radiosity(&self, front: Rgb, behind: Rgb) -> Rgb {
+        self.emission() + self.diffuse() * front + self.translucence() * behind
+    }
+
     /// What it scatters diffusely to either side, `ρ + τ`, in `[0, 1)`.
     pub fn scattered(&self) -> Rgb {
         self.diffuse() + self.translucence()

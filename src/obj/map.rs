@@ -1,6 +1,6 @@
 //! Textures that materials name: found, read, and brought to their mean.
 
-use super::lines::{shown, without_comment};
+use super::lines::shown;
 use crate::geometry::Rgb;
 use crate::texture;
 use std::collections::HashMap;
@@ -23,14 +23,12 @@ impl<'a, Open: Fn(&Path) -> io::Result<Vec<u8>>> Maps<'a, Open> {
     /// # Errors
     /// A sentence, when it cannot be read or is no texture.
     pub fn mean(&mut self, folder: &Path, name: &str) -> Result<Rgb, String> {
-        let name = name.replace('\\', "/");
-        let path = folder.join(&name);
+        let path = folder.join(name.replace('\\', "/"));
         if let Some(mean) = self.means.get(&path) {
             return Ok(*mean);
         }
         let shown = path.display();
-        let plain = || (self.open)(&folder.join(without_comment(&name)));
-        let bytes = (self.open)(&path).or_else(|_| plain()).map_err(|error| {
+        let bytes = (self.open)(&path).map_err(|error| {
             let remedy = "put it there, or remove the line";
             format!("the texture `{shown}` cannot be read ({error}); {remedy}")
         })?;

@@ -31,10 +31,10 @@ pub use predict::Predicted;
 pub use run::Planned;
 pub use survey::{Pieces, Survey};
 
-use crate::field::Resolution;
+use crate::field::{Fineness, Pass1, Smooth};
 use crate::geometry::Rgb;
-use crate::scene::Scene;
-use crate::solution::{Ask, resolution_for};
+use crate::room::Room;
+use crate::solution::Goal;
 use std::fmt;
 
 /// One thing that was decided, and why.
@@ -80,14 +80,12 @@ pub enum Way {
     Everywhere(Rgb),
     /// Direct light exactly, and what is reflected, if it is, by hemicubes on patches; to
     /// begin with at this resolution.
-    Smooth(Resolution),
+    Smooth(Fineness),
 }
 
 /// What is done to a scene, and why.
 #[derive(Clone, Debug)]
-pub struct Plan<'s> {
-    /// The scene.
-    pub scene: &'s Scene,
+pub struct Plan {
     /// The relative error that was asked for.
     pub tolerance: f64,
     /// What was found.
@@ -104,15 +102,16 @@ pub struct Plan<'s> {
 /// tolerance: the mesh has the rest.
 const SHARE_OF_BOUNCES: f64 = 0.25;
 
-impl<'s> Plan<'s> {
-    /// The plan for a scene that is to be right to `tolerance` (relative, positive).
+impl Plan {
+    /// The plan for a room that is to be right to `tolerance` (relative, positive).
     /// The scene has an emitter, else there is nothing to plan.
     ///
     /// Deterministic, and the same at any number of threads.
-    pub fn of(scene: &'s Scene, tolerance: f64) -> Plan<'s> {
+    pub fn of(room: &Room, tolerance: f64) -> Plan {
+        let scene = room.scene;
         // ANCHOR: way
-        let survey = Survey::of(scene);
-        let first = resolution_for(scene, tolerance);
+        let survey = Survey::of(room);
+        let first = Smooth.first(room, tolerance);
         let enough = SHARE_OF_BOUNCES * tolerance;
         let way = match survey.everywhere {
             Some(radiosity) => Way::Everywhere(radiosity),
@@ -121,18 +120,18 @@ impl<'s> Plan<'s> {
                 && survey.specular == 0
                 && scene.sky.is_none() =>
             {
-                Way::Smooth(Resolution { reflected: f64::INFINITY, ..first })
+                Way::Smooth(Fineness { reflected: f64::INFINITY, ..first })
             }
             None => Way::Smooth(first),
         };
         // ANCHOR_END: way
-        let pieces = Pieces::of(scene, first.patch, Ask::default().most_patches);
+        let pieces = Pieces::of(room, first.patch, Goal::default().most_patches);
         let predicted = match &way {
             Way::Everywhere(_) => Predicted::nothing(scene),
             Way::Smooth(how) => Predicted::of(&survey, &pieces, how, tolerance),
         };
         let decisions = words::decisions(&survey, &pieces, &way, &predicted, tolerance);
-        Plan { scene, tolerance, survey, way, decisions, predicted }
+        Plan { tolerance, survey, way, decisions, predicted }
     }
 
     /// One line for each decision.

@@ -10,7 +10,7 @@
 //! built-in scenes, and the seconds to one machine. They decide nothing.
 
 use super::{Pieces, Survey};
-use crate::field::Resolution;
+use crate::field::Fineness;
 use crate::scene::Scene;
 
 /// Predicted work.
@@ -48,7 +48,7 @@ impl Predicted {
     pub(super) fn of(
         survey: &Survey,
         pieces: &Pieces,
-        how: &Resolution,
+        how: &Fineness,
         tolerance: f64,
     ) -> Predicted {
         let patches = pieces.patches as f64;

@@ -1,11 +1,11 @@
 //! Looking at a scene: openings, blockers, lamps, brightness, nearness, shadows.
 
-use crate::form_factor::{Blockers, ray_from};
+use crate::form_factor::ray_from;
 use crate::geometry::{Frame, Polygon, Rgb};
 use crate::material::Shine;
 use crate::mesh::Mesh;
 use crate::random::Stream;
-use crate::room::Direct;
+use crate::room::Room;
 use crate::scene::Scene;
 use crate::sky::Sky;
 use crate::visibility::Visibility;
@@ -54,23 +54,23 @@ const RAYS: f64 = 8192.0;
 const FEWEST_RAYS: usize = 16;
 
 impl Survey {
-    /// Looks at a scene.
-    pub fn of(scene: &Scene) -> Survey {
+    /// Looks at a room.
+    pub fn of(room: &Room) -> Survey {
+        let scene = room.scene;
         let area: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
         let sent = |k: usize| {
             let s = &scene.surfaces[k];
             s.polygon.area() * scene.material(s).emission().element_sum()
         };
         let power: f64 = (0..scene.surfaces.len()).map(sent).sum();
-        let visibility = Visibility::new(scene.surfaces.iter().map(|s| &s.polygon));
-        let direct = Direct::of(scene);
+        let (visibility, direct) = (room.visibility(), room.lamps());
         let mut found = Survey {
             surfaces: scene.surfaces.len(),
             rays: 0,
             escaping: 0.0,
             escaping_lamps: 0.0,
             on_backs: 0.0,
-            blockers: Blockers::of(scene).all().len(),
+            blockers: room.blockers().all().len(),
             emitters: 0,
             sums_emitters: direct.sums_emitters(),
             brightest: 0.0,
@@ -88,7 +88,7 @@ impl Survey {
             let share = surface.polygon.area() / area;
             let of_power = if power > 0.0 { sent(k) / power } else { 0.0 };
             let rays = FEWEST_RAYS + (RAYS * (share + of_power)) as usize;
-            let (escaping, on_back) = lost(&visibility, &surface.polygon, k, rays);
+            let (escaping, on_back) = lost(visibility, &surface.polygon, k, rays);
             found.rays += rays;
             found.escaping += share * escaping;
             found.escaping_lamps += of_power * escaping;
@@ -180,7 +180,8 @@ const ASKED_FOR_SHADOWS: usize = 2000;
 
 impl Pieces {
     /// Cuts a scene into patches with edges of at most `edge`, scene units.
-    pub fn of(scene: &Scene, edge: f64, most: usize) -> Pieces {
+    pub fn of(room: &Room, edge: f64, most: usize) -> Pieces {
+        let (scene, direct) = (room.scene, room.lamps());
         let count = Mesh::count_uniform(scene, edge);
         // More than will be made, or a mesh that no memory holds, is only counted.
         let coarse = (count / most as f64).sqrt().max(1.0);
@@ -202,7 +203,6 @@ impl Pieces {
                 }
             }
         }
-        let direct = Direct::of(scene);
         let hidden = |p: &&Polygon| !direct.on(p).is_free();
         let asked = || mesh.polygons().step_by(n.div_ceil(ASKED_FOR_SHADOWS).max(1));
         let shadowed = asked().filter(hidden).count() as f64;

@@ -1,7 +1,7 @@
 //! What was decided, in sentences.
 
 use super::{Decision, Pieces, Predicted, Survey, Way};
-use crate::solution::Ask;
+use crate::solution::Goal;
 
 /// One decision for each thing that was looked at, in the order of the work.
 pub(super) fn decisions(
@@ -31,7 +31,7 @@ pub(super) fn decisions(
     said.extend(sky(survey));
     said.extend(specular(survey));
     said.push(work(predicted));
-    let most = Ask::default().most_patches;
+    let most = Goal::default().most_patches;
     if pieces.patches > most || predicted.elements >= how.most_elements as f64 {
         said.push(out_of_reach(pieces, most, tolerance));
     }

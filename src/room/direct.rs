@@ -99,6 +99,11 @@ impl<'a> Direct<'a> {
         self.world.images().len()
     }
 
+    /// The world and its images.
+    pub fn world(&self) -> &VirtualWorld {
+        &self.world
+    }
+
     /// Openings through which the sky is summed.
     pub fn openings(&self) -> usize {
         self.portals.len()

@@ -64,40 +64,22 @@ impl fmt::Display for Warning {
     }
 }
 
-/// Why faces make no scene.
+/// A face that is no surface and cannot be made one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum SceneError {
-    /// There is no face at all.
-    NoFaces,
-    /// A face is no surface and cannot be made one.
-    Face {
-        /// Which face.
-        face: FaceId,
-        /// What is wrong with it.
-        reason: PolygonError,
-    },
+pub struct FaceError {
+    /// Which face.
+    pub face: FaceId,
+    /// What is wrong with it.
+    pub reason: PolygonError,
 }
 
-impl fmt::Display for SceneError {
+impl fmt::Display for FaceError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            SceneError::NoFaces => {
-                write!(f, "there is no face; a scene needs at least one")
-            }
-            SceneError::Face { face, reason } => write!(f, "face {} {reason}", face.0),
-        }
+        write!(f, "face {} {}", self.face.0, self.reason)
     }
 }
 
-impl std::error::Error for SceneError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            SceneError::NoFaces => None,
-            SceneError::Face { reason, .. } => Some(reason),
-        }
-    }
-}
+impl std::error::Error for FaceError {}
 
 impl Scene {
     /// Makes a scene of faces.
@@ -111,24 +93,21 @@ impl Scene {
     /// [`Camera::showing`] its surfaces, the y-axis up.
     ///
     /// # Errors
-    /// When there is no face; and for a face that [`split()`] refuses: no area, edges that
-    /// cross, coordinates that are not finite.
+    /// A face that [`split()`] refuses: no area, edges that cross, coordinates that are
+    /// not finite.
     pub fn assemble(
         name: impl Into<String>,
         materials: Vec<Material>,
         faces: Vec<Face>,
         camera: Option<Camera>,
-    ) -> Result<(Scene, Vec<Warning>), SceneError> {
-        if faces.is_empty() {
-            return Err(SceneError::NoFaces);
-        }
+    ) -> Result<(Scene, Vec<Warning>), FaceError> {
         let mut warnings = Vec::new();
         let mut surfaces = Vec::with_capacity(faces.len());
         for (id, Face { outline, material }) in faces.iter().enumerate() {
             debug_assert!((material.0 as usize) < materials.len(), "no such material");
             let face = FaceId(id as u32);
             let polygons =
-                split(outline).map_err(|reason| SceneError::Face { face, reason })?;
+                split(outline).map_err(|reason| FaceError { face, reason })?;
             if let (pieces @ 2.., Err(reason)) =
                 (polygons.len(), crate::geometry::Polygon::new(outline.clone()))
             {

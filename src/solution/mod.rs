@@ -1,20 +1,265 @@
-//! Pass 1 as it is asked for by an error: resolve, certify, and finer until it suffices.
+//! Pass 1 as it is asked for by an error: find, certify, and finer until it suffices.
 //!
 //! ```text
 //! ‖B* − B‖ / ‖B* − E‖ ≤ tolerance, certified
 //! ```
+//! There is one loop for all methods. It ends when the certificate meets the tolerance, when
+//! a finer attempt is beyond the limits, or when the last gained less than half of what it
+//! was to gain. Of all attempts the one with the least certified error is kept.
 //!
-//! | entry         | use it when                              | it fails when               |
-//! |---------------|------------------------------------------|-----------------------------|
-//! | [`automatic`] | light is wanted, to an error             | the limits are reached      |
-//! | [`solve`]     | the lecture's methods are to be compared | there is a sky              |
-//! | [`solve_on`]  | the mesh is given                        | the same                    |
+//! | entry                     | use it when                        | it fails when            |
+//! |---------------------------|------------------------------------|--------------------------|
+//! | [`solve`]                 | light is wanted, to an error       | the limits are reached   |
+//! | [`solve_from`]            | the first fineness is known        | it is too fine           |
+//! | [`solve_on`]              | the mesh is given                  | it is too coarse         |
+//! | [`Solution::of`]          | a field is there, to be certified  | never: it says how wrong |
 //!
-//! **Not here:** what a scene needs ([`crate::plan`]).
-//! Chapter *What does this scene need?* (L17). Sources: Lischinski, Smits & Greenberg 1994.
+//! ```
+//! use radiosity::{field::Smooth, room::Room, scene::built_in, work::Work};
+//! use radiosity::solution::{Goal, solve};
+//! let scene = built_in("furnace").unwrap();
+//! let found = solve(&Room::of(&scene), &Smooth, &Goal::within(0.05), &Work::quiet());
+//! let found = found.unwrap();
+//! assert!(found.converged && found.certificate.high <= 0.05);
+//! assert!((found.radiosity[0].x - 2.0).abs() < 0.1); // E/(1 − ρ), E = 1, ρ = 1/2
+//! ```
+//!
+//! **Not here:** what a scene needs ([`crate::plan`]). Chapters *What does this scene need?*
+//! and *How wrong is it?* (L17). Sources: Lischinski, Smits & Greenberg 1994.
 
-mod auto;
-mod classical;
+use crate::certificate::{Audit, Certificate, Judged, Sampling, audit};
+use crate::field::{Cannot, Classical, Dropped, Field, Fineness, Pass1};
+use crate::geometry::Rgb;
+use crate::mesh::Mesh;
+use crate::room::Room;
+use crate::work::Work;
 
-pub use auto::{Ask, Pass, automatic, resolution_for, sampling_for};
-pub use classical::{Factors, Method, Options, Solution, solve, solve_on};
+/// What a solution must reach, and what it may cost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Goal {
+    /// The largest certified error asked for, relative; see [`Certificate`].
+    pub tolerance: f64,
+    /// Names the random streams.
+    pub seed: u64,
+    /// The most patches: the work grows as their square.
+    pub most_patches: usize,
+    /// The most elements.
+    pub most_elements: usize,
+}
+
+impl Default for Goal {
+    fn default() -> Goal {
+        Goal { tolerance: 0.01, seed: 0, most_patches: 4000, most_elements: 60_000 }
+    }
+}
+
+impl Goal {
+    /// An error of at most this, relative, in `(0, ∞)`.
+    pub fn within(tolerance: f64) -> Goal {
+        Goal { tolerance, ..Goal::default() }
+    }
+}
+
+/// One attempt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attempt {
+    /// How finely it resolved light.
+    pub fineness: Fineness,
+    /// What shines on what.
+    pub patches: usize,
+    /// What light is shown on.
+    pub elements: usize,
+    /// How many hemicubes were drawn, or rows of factors computed.
+    pub rows: usize,
+    /// What came out.
+    pub certificate: Certificate,
+}
+
+/// The light of a scene, and how wrong it is.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// The light, on its mesh.
+    pub field: Field,
+    /// `B`, W/m², mean of each element.
+    pub radiosity: Vec<Rgb>,
+    /// `H`, W/m², mean of each element, on the front.
+    pub irradiance: Vec<Rgb>,
+    /// `B`, W/m², per vertex of the mesh: what smooth shading shows, and is certified.
+    pub vertex_radiosity: Vec<Rgb>,
+    /// How far the smooth field is from the truth.
+    pub certificate: Certificate,
+    /// Is the certified error below the tolerance asked for?
+    pub converged: bool,
+    /// All attempts, in order; this is the best of them.
+    pub attempts: Vec<Attempt>,
+    /// What the method left out, where there was such.
+    pub dropped: Option<Dropped>,
+}
+
+/// Attempts at the most.
+const MOST_ATTEMPTS: usize = 6;
+
+/// A finer attempt aims at this share of the tolerance.
+const AIM: f64 = 0.75;
+
+/// Solves a room by a method until the certificate says that the goal is met, or more would
+/// be needed than is allowed, or finer attempts gain nothing.
+///
+/// Deterministic: the same at any number of threads.
+///
+/// # Errors
+/// When the method does not know something that the room has.
+pub fn solve(
+    room: &Room,
+    method: &dyn Pass1,
+    goal: &Goal,
+    work: &Work,
+) -> Result<Solution, Cannot> {
+    Cannot::in_any_case(room.scene)?;
+    solve_from(room, method, method.first(room, goal.tolerance), goal, work)
+}
+
+/// The same, from a given fineness on.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_from(
+    room: &Room,
+    method: &dyn Pass1,
+    first: Fineness,
+    goal: &Goal,
+    work: &Work,
+) -> Result<Solution, Cannot> {
+    Cannot::in_any_case(room.scene)?;
+    method.knows(room)?;
+    let most_elements = first.most_elements.min(goal.most_elements);
+    let most_patches = first.most_patches.min(goal.most_patches);
+    let mut how = Fineness { most_elements, most_patches, seed: goal.seed, ..first };
+    let mut best: Option<Solution> = None;
+    let mut attempts: Vec<Attempt> = Vec::new();
+    // ANCHOR: finer
+    loop {
+        let found = Solution::of(room, method.field(room, &how, work), goal, work);
+        attempts.push(found.attempt(how));
+        let full = found.field.mesh.elements.len() >= how.most_elements;
+        let converged = found.converged;
+        if best.as_ref().is_none_or(|b| found.certificate.high < b.certificate.high) {
+            best = Some(found);
+        }
+        let share = aimed_at(&attempts, goal);
+        let possible =
+            !converged && !full && gains(&attempts, goal) && !work.is_spent();
+        match method.finer(room, &how, share).filter(|_| possible) {
+            Some(finer) if attempts.len() < MOST_ATTEMPTS => how = finer,
+            _ => break,
+        }
+    }
+    // ANCHOR_END: finer
+    let mut solution = best.ok_or(Cannot::NoSurfaces)?;
+    (solution.attempts, solution.dropped) = (attempts, method.drops(room));
+    Ok(solution)
+}
+
+/// The share of the last attempt's error that the next is to have.
+fn aimed_at(attempts: &[Attempt], goal: &Goal) -> f64 {
+    let high = attempts.last().map_or(f64::INFINITY, |a| a.certificate.high);
+    (AIM * goal.tolerance / high).clamp(0.4, 0.8)
+}
+
+/// Did the last attempt gain at least half of what it was to gain on the one before? What
+/// does not is noise, which stays.
+fn gains(attempts: &[Attempt], goal: &Goal) -> bool {
+    let Some((last, before)) = attempts.split_last() else { return true };
+    let Some(previous) = before.last() else { return true };
+    let hoped = 0.5 * (1.0 + aimed_at(before, goal));
+    last.certificate.error <= hoped * previous.certificate.error
+}
+
+/// Solves a room by a method of the lecture on a mesh that is given.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_on(
+    room: &Room,
+    method: &Classical,
+    mesh: Mesh,
+    goal: &Goal,
+    work: &Work,
+) -> Result<Solution, Cannot> {
+    Cannot::in_any_case(room.scene)?;
+    method.knows(room)?;
+    let how = Fineness { seed: goal.seed, ..method.first(room, goal.tolerance) };
+    let found = Solution::of(room, method.on(room, mesh, &how, work), goal, work);
+    Ok(Solution { dropped: method.drops(room), ..found })
+}
+
+/// How wrong `field` is, and where: [`audit`] with what the room has ready.
+pub fn audited(room: &Room, field: &Judged, sampling: Sampling) -> Audit {
+    audit(room.scene, room.visibility(), room.lamps(), field, sampling)
+}
+
+impl Solution {
+    /// A field with its certificate.
+    pub fn of(room: &Room, field: Field, goal: &Goal, work: &Work) -> Solution {
+        let vertex_radiosity = field.vertex_radiosity(room.scene);
+        let certificate = certified(room, &field, &vertex_radiosity, goal, work);
+        let sane = field.ledger.is_finite();
+        Solution {
+            radiosity: field.radiosity(room.scene),
+            irradiance: field.irradiance(),
+            vertex_radiosity,
+            converged: sane && certificate.high <= goal.tolerance,
+            certificate,
+            field,
+            attempts: Vec::new(),
+            dropped: None,
+        }
+    }
+
+    fn attempt(&self, fineness: Fineness) -> Attempt {
+        Attempt {
+            fineness,
+            patches: self.field.patches,
+            elements: self.field.mesh.elements.len(),
+            rows: self.field.rows,
+            certificate: self.certificate,
+        }
+    }
+}
+
+/// Points and rays of a certificate: its doubt is about a quarter of one per cent.
+const POINTS: usize = 1600;
+const RAYS: usize = 256;
+
+/// A larger error may be in more doubt: the square of what noise adds falls with the rays.
+const FEWEST_RAYS: usize = 32;
+
+/// So many times as many are cast when only chance is in doubt.
+const MORE: usize = 4;
+
+/// The points and rays that tell whether an error meets the tolerance.
+pub fn sampling_for(tolerance: f64) -> Sampling {
+    let rays = (RAYS as f64 * 0.01 / tolerance) as usize;
+    Sampling { points: POINTS, rays: rays.clamp(FEWEST_RAYS, RAYS), seed: 0 }
+}
+
+fn certified(
+    room: &Room,
+    field: &Field,
+    vertex_radiosity: &[Rgb],
+    goal: &Goal,
+    work: &Work,
+) -> Certificate {
+    let at = |id, x| field.radiosity_at(id, x, vertex_radiosity);
+    let judged = Judged { mesh: &field.mesh, radiosity: &at };
+    let usual = Sampling { seed: goal.seed, ..sampling_for(goal.tolerance) };
+    let with = |sampling| audited(room, &judged, sampling).certificate;
+    work.tell("certifying", 0, 1);
+    let mut certificate = with(usual);
+    let likely = certificate.error <= AIM * goal.tolerance;
+    if likely && certificate.high > goal.tolerance {
+        certificate = with(Sampling { rays: MORE * usual.rays, ..usual });
+    }
+    work.tell("certifying", 1, 1);
+    certificate
+}

@@ -47,6 +47,12 @@ impl Ledger {
         // ANCHOR_END: draw_up
     }
 
+    /// Is every entry a number?
+    pub fn is_finite(&self) -> bool {
+        let Ledger { emitted, absorbed, escaped, unshot, imbalance } = *self;
+        (emitted + absorbed + escaped + unshot + imbalance).is_finite()
+    }
+
     /// The largest share of the emitted power that is out of balance, over the channels.
     pub fn worst_imbalance(&self) -> f64 {
         let share = |k: usize| match self.emitted[k] {

@@ -11,16 +11,17 @@
 
 use super::classes::{Class, Light, Table};
 use super::two_pass::{Options, TwoPass};
-use crate::field::{Resolution, smooth};
+use crate::field::{Fineness, Pass1, Smooth};
 use crate::film::{Picture, Shot};
 use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material, Shine};
 use crate::mesh::Mesh;
+use crate::room::Room;
 use crate::scene::Scene;
-use crate::work::Progress;
+use crate::work::{Progress, Work};
 
 /// Radiosities of a mesh.
-struct Field {
+struct Radiosities {
     mesh: Mesh,
     /// `B`, W/m², per vertex.
     radiosity: Vec<Rgb>,
@@ -50,12 +51,12 @@ impl ByClass {
     pub fn of(
         scene: &Scene,
         shot: &Shot,
-        how: &Resolution,
+        how: &Fineness,
         options: &Options,
         progress: Progress,
     ) -> ByClass {
         // What the eye sees of a field: straight, and by way of what shines.
-        let seen = |field: &Field| {
+        let seen = |field: &Radiosities| {
             let all = TwoPass::of(scene, &field.mesh, &field.radiosity, *options);
             let all = all.picture(shot, progress);
             let straight = shot.smooth(&field.mesh, &field.radiosity);
@@ -64,7 +65,13 @@ impl ByClass {
         };
         // Pass 1 of the scene, or of a part of it.
         let solved = |shines: bool, reflects: bool| {
-            seen(&Field::of(scene, &variant(scene, shines, reflects), how, progress)).0
+            seen(&Radiosities::of(
+                scene,
+                &variant(scene, shines, reflects),
+                how,
+                progress,
+            ))
+            .0
         };
         // ANCHOR: by_difference
         let (lamps, cut) = seen(&emission(scene));
@@ -106,7 +113,7 @@ impl ByClass {
 pub fn classes_of_two_passes(
     scene: &Scene,
     shot: &Shot,
-    how: &Resolution,
+    how: &Fineness,
     options: &Options,
     progress: Progress,
 ) -> Table {
@@ -124,18 +131,17 @@ fn sum(parts: &[(f64, &Picture)]) -> Picture {
     sum
 }
 
-impl Field {
+impl Radiosities {
     /// The light of a `part` of the scene, as the surfaces of the whole `scene` show it.
-    fn of(scene: &Scene, part: &Scene, how: &Resolution, progress: Progress) -> Field {
-        let light = smooth(part, how, progress);
-        let mut radiosity = vec![Rgb::ZERO; light.mesh.vertices.len()];
-        for element in &light.mesh.elements {
-            for corner in element.corners.iter().map(|c| c.0 as usize) {
-                let h = [light.irradiance[corner], light.behind[corner]];
-                radiosity[corner] = light.radiosity(scene, element, h);
-            }
-        }
-        Field { mesh: light.mesh, radiosity }
+    fn of(
+        scene: &Scene,
+        part: &Scene,
+        how: &Fineness,
+        progress: Progress,
+    ) -> Radiosities {
+        let light = Smooth.field(&Room::of(part), how, &Work::told(progress));
+        let radiosity = light.vertex_radiosity(scene);
+        Radiosities { mesh: light.mesh, radiosity }
     }
 }
 
@@ -163,7 +169,7 @@ fn variant(scene: &Scene, shines: bool, reflects: bool) -> Scene {
 }
 
 /// The lamps, and nothing that they light.
-fn emission(scene: &Scene) -> Field {
+fn emission(scene: &Scene) -> Radiosities {
     let mesh = Mesh::whole(scene);
     let mut radiosity = vec![Rgb::ZERO; mesh.vertices.len()];
     for element in &mesh.elements {
@@ -172,7 +178,7 @@ fn emission(scene: &Scene) -> Field {
             radiosity[corner.0 as usize] = material.emission();
         }
     }
-    Field { mesh, radiosity }
+    Radiosities { mesh, radiosity }
 }
 
 /// The sky as the eye sees it straight: what of a scene that is black is not.

@@ -2,7 +2,9 @@
 
 use super::cube::Cube;
 use crate::chart::{self, Point};
-use radiosity::certificate::{Certificate, Sampling, certify};
+use radiosity::certificate::{Certificate, Judged, Sampling};
+use radiosity::room::Room;
+use radiosity::solution::audited;
 use std::fmt::Write;
 
 /// Elements along an edge, in the chart.
@@ -32,7 +34,9 @@ pub fn cases(reflectance: f64, cells: &[u32]) -> Vec<Case> {
     let case = |&cells: &u32| {
         let cube = Cube::of(reflectance, cells);
         let field = |id: radiosity::mesh::ElementId, _| cube.radiosity[id.0 as usize];
-        let certificate = certify(&cube.scene, &cube.mesh, &field, Sampling::default());
+        let judged = Judged { mesh: &cube.mesh, radiosity: &field };
+        let room = Room::of(&cube.scene);
+        let certificate = audited(&room, &judged, Sampling::default()).certificate;
         let (mut r, mut reflected) = (0.0, 0.0);
         for (id, x) in cube.points(2000) {
             let e = cube.enclosure.emission[id.0 as usize].x;

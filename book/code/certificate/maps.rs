@@ -2,11 +2,12 @@
 
 use crate::equation::system::System;
 use crate::map;
-use radiosity::certificate::{Audit, Certificate, Sampling, audit};
+use radiosity::certificate::{Audit, Certificate, Judged, Sampling};
 use radiosity::film::{FalseColour, RgbImage, Shot};
 use radiosity::geometry::Rgb;
 use radiosity::glam::DVec3;
 use radiosity::mesh::ElementId;
+use radiosity::solution::audited;
 use std::f64::consts::PI;
 use std::fmt::Write;
 use std::sync::OnceLock;
@@ -45,7 +46,9 @@ impl Room {
         let field = |id: ElementId, x: DVec3| {
             mesh.value_at(mesh.element(id), x, &self.vertices)
         };
-        audit(scene, mesh, &field, Sampling { points, ..Sampling::default() })
+        let judged = Judged { mesh, radiosity: &field };
+        let sampling = Sampling { points, ..Sampling::default() };
+        audited(&radiosity::room::Room::of(scene), &judged, sampling)
     }
 
     fn map(&self, points: usize) -> RgbImage {

@@ -27,18 +27,18 @@ fn shot(size: u32, samples: u32) -> Shot {
 
 /// Smoothly shaded.
 pub fn smooth() -> Picture {
-    shot(SIZE, 2).smooth(&solved().mesh, &solved().vertex_radiosity)
+    shot(SIZE, 2).smooth(&solved().field.mesh, &solved().vertex_radiosity)
 }
 
 /// One radiance for each element.
 pub fn flat() -> Picture {
-    shot(SIZE, 2).flat(&solved().mesh, &solved().radiosity)
+    shot(SIZE, 2).flat(&solved().field.mesh, &solved().radiosity)
 }
 
 /// Flat, smooth, with its mesh, in false colour.
 pub fn views() -> [RgbImage; 4] {
     let (flat, smooth) = (flat(), smooth());
-    let mesh = shot(SIZE, 1).with_mesh(flat.display(1.0 / WHITE), &solved().mesh);
+    let mesh = shot(SIZE, 1).with_mesh(flat.display(1.0 / WHITE), &solved().field.mesh);
     let colours = scale(&smooth).draw(&smooth);
     [flat.display(1.0 / WHITE), smooth.display(1.0 / WHITE), mesh, colours]
 }
@@ -55,7 +55,8 @@ pub fn key() -> String {
 
 /// The caption of the four views.
 pub fn caption() -> String {
-    let (patches, elements) = (solved().patches, solved().mesh.elements.len());
+    let (patches, elements) =
+        (solved().field.patches, solved().field.mesh.elements.len());
     let _ = patches;
     format!(
         "The Cornell box in {elements} elements of at most {EDGE} m, {SIZE} × {SIZE} pixels of \
@@ -65,7 +66,7 @@ pub fn caption() -> String {
 
 /// What each pixel keeps of a coarse picture: the id, and how near that is.
 pub fn kept() -> [RgbImage; 2] {
-    let (mesh, shot) = (&solved().mesh, shot(COARSE, 1));
+    let (mesh, shot) = (&solved().field.mesh, shot(COARSE, 1));
     let items: ItemBuffer = shot.items(mesh);
     let view = shot.view();
     let mut near = Picture::new(COARSE, COARSE);

@@ -1,9 +1,15 @@
 //! A ledger that shows a failure: light that factors make of nothing.
 
 use crate::ledger;
+use radiosity::field::Classical;
+use radiosity::field::Factors;
+use radiosity::field::MatrixSolver;
 use radiosity::mesh::Mesh;
+use radiosity::room::Room;
 use radiosity::scene::built_in;
-use radiosity::solution::{Factors, Method, Options, solve_on};
+use radiosity::solution::Goal;
+use radiosity::solution::solve_on;
+use radiosity::work::Work;
 
 /// The closed L-shaped room in coarse elements, by hemicubes at their centres.
 pub fn markdown() -> String {
@@ -11,8 +17,10 @@ pub fn markdown() -> String {
     let mesh = Mesh::uniform(&scene, 1.0);
     let count = mesh.elements.len();
     let factors = Factors::Hemicube(64);
-    let options = Options { method: Method::Gather, factors, ..Options::default() };
-    let solution = solve_on(&scene, mesh, &options, &|_, _, _| {});
+    let method = Classical { solver: MatrixSolver::Gather, ..Classical::by(factors) };
+    let solution =
+        solve_on(&Room::of(&scene), &method, mesh, &Goal::default(), &Work::quiet())
+            .unwrap();
     format!(
         "The closed room `l-room` in {count} elements, with hemicubes of resolution 64 \
          (row 15):\n\n{}",

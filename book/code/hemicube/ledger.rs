@@ -1,17 +1,24 @@
 //! The energy ledger of the chapter's scene, solved with hemicubes.
 
 use crate::ledger::table;
+use radiosity::field::Classical;
+use radiosity::field::Factors;
+use radiosity::field::MatrixSolver;
 use radiosity::mesh::Mesh;
+use radiosity::room::Room;
 use radiosity::scene::built_in;
-use radiosity::solution::{Factors, Method, Options, Solution, solve_on};
+use radiosity::solution::Goal;
+use radiosity::solution::{Solution, solve_on};
 use radiosity::solve::Ledger;
+use radiosity::work::Work;
 
 /// A scene solved by gathering, with factors of this kind and elements of this edge.
 fn solved(name: &str, max_edge: f64, factors: Factors) -> Solution {
     let scene = built_in(name).expect("the scene is built in");
     let mesh = Mesh::uniform(&scene, max_edge);
-    let options = Options { method: Method::Gather, factors, ..Options::default() };
-    solve_on(&scene, mesh, &options, &|_, _, _| {})
+    let method = Classical { solver: MatrixSolver::Gather, ..Classical::by(factors) };
+    solve_on(&Room::of(&scene), &method, mesh, &Goal::default(), &Work::quiet())
+        .unwrap()
 }
 
 /// The ledger as a Markdown table.
@@ -20,8 +27,8 @@ pub fn markdown() -> String {
     let mut text = format!(
         "`cornell`, {} elements (edges ≤ 0.1 m), hemicubes of resolution 64, \
          gathered in {} sweeps:\n\n",
-        solution.mesh.elements.len(),
-        solution.steps
+        solution.field.mesh.elements.len(),
+        solution.field.steps
     );
     text.push_str(&table(&solution));
     text.push_str(
@@ -34,7 +41,8 @@ pub fn markdown() -> String {
         ("rays, 10 000 from each element", Factors::Sampling(10_000)),
         ("analytic", Factors::Analytic),
     ] {
-        let Ledger { emitted, imbalance, .. } = solved("l-room", 0.5, factors).ledger;
+        let Ledger { emitted, imbalance, .. } =
+            solved("l-room", 0.5, factors).field.ledger;
         let share = 100.0 * imbalance.element_sum() / emitted.element_sum();
         text.push_str(&format!("| {name} | {share:.2} % |\n"));
     }

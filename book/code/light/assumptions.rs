@@ -2,12 +2,17 @@
 
 use crate::{ledger, map};
 use glam::{DVec2, DVec3, dvec3};
+use radiosity::field::Classical;
+use radiosity::field::Factors;
 use radiosity::film::{RgbImage, Shot};
 use radiosity::form_factor::analytic::{exchange, lambert_polygon};
 use radiosity::geometry::Polygon;
 use radiosity::mesh::Mesh;
+use radiosity::room::Room;
 use radiosity::scene::{Camera, built_in};
-use radiosity::solution::{Factors, Options, Solution, solve_on};
+use radiosity::solution::Goal;
+use radiosity::solution::{Solution, solve_on};
+use radiosity::work::Work;
 use std::fmt::Write;
 
 /// Longest edges of the elements, in metres, of the picture that all is seen in.
@@ -23,8 +28,9 @@ const SIZE: u32 = 160;
 pub fn solved(max_edge: f64) -> Solution {
     let scene = built_in("cornell").expect("`cornell` is built in");
     let mesh = Mesh::uniform(&scene, max_edge);
-    let options = Options { factors: Factors::Analytic, ..Options::default() };
-    solve_on(&scene, mesh, &options, &|_, _, _| {})
+    let method = Classical::by(Factors::Analytic);
+    solve_on(&Room::of(&scene), &method, mesh, &Goal::default(), &Work::quiet())
+        .unwrap()
 }
 
 /// The camera of the scene, and one that looks at it from the right and above.
@@ -41,7 +47,7 @@ pub fn cameras() -> [Camera; 2] {
 /// Each element in its one radiance.
 pub fn picture(solution: &Solution, camera: Camera) -> RgbImage {
     let shot = Shot { camera, width: SIZE, height: SIZE, samples: 2 };
-    shot.flat(&solution.mesh, &solution.radiosity).display(1.0)
+    shot.flat(&solution.field.mesh, &solution.radiosity).display(1.0)
 }
 
 /// The caption under a picture of these elements.
@@ -90,17 +96,6 @@ pub fn error_picture(cuts: u32) -> RgbImage {
 pub fn error_caption(cuts: u32) -> String {
     let off = 100.0 * rms(&errors(cuts));
     format!("{cuts} × {cuts} elements: off by {off:.0} %")
-}
-
-/// By what halving the elements divides the error, from map to map.
-pub fn order() -> String {
-    let [coarse, middle, fine] = CUTS.map(|cuts| rms(&errors(cuts)));
-    format!(
-        "Halve the elements, and here the error is divided by {:.1}, and then by {:.1}: by 2 in the \
-         end, when they are small. It is of *first order*.",
-        coarse / middle,
-        middle / fine
-    )
 }
 
 /// The key to the maps.

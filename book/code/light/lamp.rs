@@ -2,6 +2,8 @@
 
 use crate::{ledger, map};
 use glam::{DVec2, DVec3, dvec2};
+use radiosity::field::Classical;
+use radiosity::field::Factors;
 use radiosity::film::RgbImage;
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::material::{Coefficients, Material};
@@ -10,8 +12,11 @@ use radiosity::radiometry::{
     irradiance, projected_solid_angle, radiance_from_radiosity, radiosity_from_flux,
     reflected, solid_angle,
 };
+use radiosity::room::Room;
 use radiosity::scene::{Face, MaterialId, Scene};
-use radiosity::solution::{Factors, Options, solve_on};
+use radiosity::solution::Goal;
+use radiosity::solution::solve_on;
+use radiosity::work::Work;
 
 /// The lamp's power, W.
 pub const FLUX: f64 = 60.0;
@@ -149,6 +154,9 @@ pub fn ledger() -> String {
     let scene = Scene::assemble("lamp over floor", materials, faces, None);
     let scene = scene.expect("squares are fit faces").0;
     let mesh = Mesh::uniform(&scene, 0.25);
-    let options = Options { factors: Factors::Analytic, ..Options::default() };
-    ledger::table(&solve_on(&scene, mesh, &options, &|_, _, _| {}))
+    let method = Classical::by(Factors::Analytic);
+    ledger::table(
+        &solve_on(&Room::of(&scene), &method, mesh, &Goal::default(), &Work::quiet())
+            .unwrap(),
+    )
 }

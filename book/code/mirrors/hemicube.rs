@@ -2,13 +2,19 @@
 
 use crate::ledger as books;
 use crate::shooting::beside;
+use radiosity::field::Classical;
+use radiosity::field::Factors;
+use radiosity::field::MatrixSolver;
 use radiosity::film::{Picture, RgbImage};
 use radiosity::form_factor::hemicube::{Face, Weights};
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::raster::Seen;
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solution::{Factors, Method, Options, Solution, solve_on};
+use radiosity::solution::Goal;
+use radiosity::solution::{Solution, solve_on};
 use radiosity::virtual_world::{ExtendedHemicube, VirtualWorld};
+use radiosity::work::Work;
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
@@ -26,13 +32,16 @@ fn corridor() -> &'static (Scene, Solution) {
     SOLVED.get_or_init(|| {
         let scene = built_in("mirror-corridor").expect("it is built in");
         let mesh = Mesh::uniform(&scene, 0.3);
-        let options = Options {
-            factors: Factors::Sampling(400),
-            method: Method::Gather,
-            levels: 4,
-            ..Options::default()
-        };
-        let solution = solve_on(&scene, mesh, &options, &|_, _, _| ());
+        let factors = Factors::Sampling(400);
+        let method = Classical { solver: MatrixSolver::Gather, factors, levels: 4 };
+        let solution = solve_on(
+            &Room::of(&scene),
+            &method,
+            mesh,
+            &Goal::default(),
+            &Work::quiet(),
+        )
+        .unwrap();
         (scene, solution)
     })
 }
@@ -42,12 +51,12 @@ fn looking() -> ElementId {
     let (scene, solution) = corridor();
     let to = glam::dvec3(1.0, 1.5, 0.0);
     let off = |k: &usize| {
-        let element = &solution.mesh.elements[*k];
-        let surface = &scene.surfaces[solution.mesh.surface_of(element) as usize];
+        let element = &solution.field.mesh.elements[*k];
+        let surface = &scene.surfaces[solution.field.mesh.surface_of(element) as usize];
         let away = if scene.material(surface).name() == "blue" { 0.0 } else { 1e9 };
         away + element.polygon.centroid().distance(to)
     };
-    let all = 0..solution.mesh.elements.len();
+    let all = 0..solution.field.mesh.elements.len();
     let nearest = all.min_by(|a, b| off(a).total_cmp(&off(b)));
     ElementId(nearest.expect("there are elements") as u32)
 }
@@ -56,7 +65,7 @@ fn looking() -> ElementId {
 fn panel(levels: u32) -> (RgbImage, usize) {
     let (scene, solution) = corridor();
     let world = VirtualWorld::of(scene, levels);
-    let cube = ExtendedHemicube::new(&solution.mesh, &world, 0, RESOLUTION);
+    let cube = ExtendedHemicube::new(&solution.field.mesh, &world, 0, RESOLUTION);
     let weights = Weights::exact(RESOLUTION);
     let whole = weights.of(Face::Top);
     let mut picture = Picture::new(RESOLUTION, RESOLUTION);

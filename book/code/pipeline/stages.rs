@@ -3,12 +3,16 @@
 use crate::hemicube::view::paint;
 use crate::{ledger, light};
 use glam::dvec3;
+use radiosity::field::Classical;
 use radiosity::film::{RgbImage, Shot, hemicube_cross};
 use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::mesh::Mesh;
 use radiosity::raster::Seen;
+use radiosity::room::Room;
 use radiosity::scene::{Camera, built_in};
-use radiosity::solution::{Options, Solution, solve_on};
+use radiosity::solution::Goal;
+use radiosity::solution::{Solution, solve_on};
+use radiosity::work::Work;
 use std::sync::OnceLock;
 
 /// Longest edge of an element, in metres.
@@ -26,7 +30,14 @@ pub fn solved() -> &'static Solution {
     SOLVED.get_or_init(|| {
         let scene = built_in("cornell").expect("`cornell` is built in");
         let mesh = Mesh::uniform(&scene, EDGE);
-        solve_on(&scene, mesh, &Options::default(), &|_, _, _| {})
+        solve_on(
+            &Room::of(&scene),
+            &Classical::default(),
+            mesh,
+            &Goal::default(),
+            &Work::quiet(),
+        )
+        .unwrap()
     })
 }
 
@@ -37,7 +48,7 @@ fn shot(camera: Camera) -> Shot {
 /// Stage 1: the elements, each in its paint.
 pub fn elements() -> RgbImage {
     let scene = built_in("cornell").expect("`cornell` is built in");
-    let mesh = &solved().mesh;
+    let mesh = &solved().field.mesh;
     let shot = Shot { samples: 1, ..shot(scene.camera) };
     let items = shot.items(mesh);
     let of = |x, y| match items.seen(x, y) {
@@ -52,7 +63,7 @@ pub fn elements() -> RgbImage {
 /// Stage 2: what one element sees through its hemicube, every element in its own shade.
 pub fn factors() -> RgbImage {
     let scene = built_in("cornell").expect("`cornell` is built in");
-    let mesh = &solved().mesh;
+    let mesh = &solved().field.mesh;
     let apart = |&a: &usize, &b: &usize| {
         let off = |k: usize| mesh.elements[k].polygon.centroid().distance(FROM);
         off(a).total_cmp(&off(b))
@@ -77,14 +88,14 @@ pub fn factors() -> RgbImage {
 pub fn flat() -> RgbImage {
     let scene = built_in("cornell").expect("`cornell` is built in");
     let solution = solved();
-    shot(scene.camera).flat(&solution.mesh, &solution.radiosity).display(1.0)
+    shot(scene.camera).flat(&solution.field.mesh, &solution.radiosity).display(1.0)
 }
 
 /// Stage 4: the picture for one of the eyes.
 pub fn smooth(eye: usize) -> RgbImage {
     let solution = solved();
     let shot = shot(eyes()[eye]);
-    shot.smooth(&solution.mesh, &solution.vertex_radiosity).display(1.0)
+    shot.smooth(&solution.field.mesh, &solution.vertex_radiosity).display(1.0)
 }
 
 /// Three eyes: the scene's own, one from the right and above, one inside on the floor.
@@ -104,7 +115,7 @@ pub fn caption() -> String {
     format!(
         "Scene <code>cornell</code>, {} elements with edges up to {EDGE} m, form \
          factors by hemicubes of 256, exposure 1.",
-        solved().mesh.elements.len()
+        solved().field.mesh.elements.len()
     )
 }
 

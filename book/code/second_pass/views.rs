@@ -1,10 +1,14 @@
 //! One camera, three ways to see: by lamps and mirrors alone, by pass 1 alone, by both.
 
 use crate::ledger::table;
+use radiosity::field::Pass1;
+use radiosity::field::Smooth;
 use radiosity::film::{RgbImage, Shot};
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solution::{Ask, Solution, automatic, resolution_for};
+use radiosity::solution::{Goal, Solution, solve_from};
 use radiosity::trace::{Limits, Options, Shown, TwoPass, Whitted};
+use radiosity::work::Work;
 use std::sync::OnceLock;
 
 /// Pixels along an edge.
@@ -21,16 +25,17 @@ pub struct Lit {
 impl Lit {
     /// Of a built-in scene, as finely as this tolerance asks for at first.
     pub fn of(scene: Scene, tolerance: f64) -> Lit {
-        let ask = Ask { tolerance: f64::INFINITY, ..Ask::default() };
-        let how = resolution_for(&scene, tolerance);
-        let (solution, _) = automatic(&scene, how, &ask, &|_, _, _| {});
+        let (room, goal) = (Room::of(&scene), Goal::within(f64::INFINITY));
+        let how = Smooth.first(&room, tolerance);
+        let solution = solve_from(&room, &Smooth, how, &goal, &Work::quiet());
+        let solution = solution.expect("it can be solved");
         Lit { scene, solution }
     }
 
     /// What its camera sees, by two passes.
     pub fn two_passes(&self, size: u32, options: Options) -> Shown {
-        let Solution { mesh, vertex_radiosity, .. } = &self.solution;
-        let two = TwoPass::of(&self.scene, mesh, vertex_radiosity, options);
+        let Solution { field, vertex_radiosity, .. } = &self.solution;
+        let two = TwoPass::of(&self.scene, &field.mesh, vertex_radiosity, options);
         two.picture(&self.shot(size), &|_, _, _| {})
     }
 
@@ -67,7 +72,7 @@ pub fn classical() -> RgbImage {
 pub fn first_pass() -> RgbImage {
     let Lit { solution, .. } = cornell();
     let shot = cornell().shot(SIZE);
-    shot.smooth(&solution.mesh, &solution.vertex_radiosity).display(exposure())
+    shot.smooth(&solution.field.mesh, &solution.vertex_radiosity).display(exposure())
 }
 
 /// Both passes.

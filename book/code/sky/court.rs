@@ -7,9 +7,11 @@ use radiosity::film::{RgbImage, Shot};
 use radiosity::geometry::Rgb;
 use radiosity::material::{Coefficients, Material};
 use radiosity::plan::Plan;
+use radiosity::room::Room;
 use radiosity::scene::{Camera, Face, MaterialId, Scene};
-use radiosity::solution::Ask;
+use radiosity::solution::Goal;
 use radiosity::trace::PathTracer;
+use radiosity::work::Work;
 
 /// What is asked for of pass 1.
 const TOLERANCE: f64 = 0.1;
@@ -80,7 +82,7 @@ pub fn caption() -> String {
 /// Where the light of the court went under the overcast sky, as pass 1 has it.
 pub fn ledger() -> String {
     let scene = scene(Kind::Overcast, 3.0);
-    let ask = Ask { tolerance: TOLERANCE, ..Ask::default() };
-    let done = Plan::of(&scene, TOLERANCE).run(&ask, &|_, _, _| {});
-    ledgers::table(&done.solution)
+    let (room, goal) = (Room::of(&scene), Goal::within(TOLERANCE));
+    let done = Plan::of(&room, TOLERANCE).run(&room, &goal, &Work::quiet());
+    ledgers::table(&done.expect("it can be solved").solution)
 }

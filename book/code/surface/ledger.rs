@@ -2,10 +2,15 @@
 
 use super::ball;
 use crate::ledger;
+use radiosity::field::Classical;
+use radiosity::field::Factors;
 use radiosity::material::Lobe;
 use radiosity::mesh::Mesh;
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solution::{Factors, Options, Solution, solve_on};
+use radiosity::solution::Goal;
+use radiosity::solution::{Solution, solve_on};
+use radiosity::work::Work;
 use std::fmt::Write;
 
 /// Of 1 W of red light that falls on the paint at an angle.
@@ -31,8 +36,15 @@ pub fn of_the_ball() -> String {
 }
 
 fn solved(scene: &Scene) -> Solution {
-    let options = Options { factors: Factors::Analytic, ..Options::default() };
-    solve_on(scene, Mesh::uniform(scene, 0.5), &options, &|_, _, _| {})
+    let method = Classical::by(Factors::Analytic);
+    solve_on(
+        &Room::of(scene),
+        &method,
+        Mesh::uniform(scene, 0.5),
+        &Goal::default(),
+        &Work::quiet(),
+    )
+    .unwrap()
 }
 
 fn furnace(reflectance: f64) -> Scene {
@@ -42,17 +54,13 @@ fn furnace(reflectance: f64) -> Scene {
 /// How much light there is in a closed room, and how often it is reflected.
 pub fn bounces() -> String {
     let mut text = String::from(
-        "| reflectance | 1/(1 − ρ) | radiosity for E = 1, solved | left after 10 reflections |\n\
-         |---|---|---|---|\n",
+        "| reflectance | radiosity for E = 1 | what is left after 10 reflections |\n\
+         |---|---|---|\n",
     );
     for reflectance in [0.5, 0.8, 0.9, 0.99] {
         let radiosity = solved(&furnace(reflectance)).radiosity[0].x;
-        let (exact, left) =
-            (1.0 / (1.0 - reflectance), 100.0 * f64::powi(reflectance, 10));
-        let _ = writeln!(
-            text,
-            "| {reflectance} | {exact:.0} | {radiosity:.2} | {left:.1} % |"
-        );
+        let left = 100.0 * f64::powi(reflectance, 10);
+        let _ = writeln!(text, "| {reflectance} | {radiosity:.2} | {left:.1} % |");
     }
     text
 }

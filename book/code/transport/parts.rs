@@ -1,11 +1,12 @@
 //! A picture taken apart: one for each class of paths.
 
 use crate::ledger as books;
-use radiosity::field::smooth;
+use radiosity::field::Pass1;
+use radiosity::field::Smooth;
 use radiosity::film::{Picture, RgbImage, Shot};
 use radiosity::geometry::Rgb;
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solution::resolution_for;
 use radiosity::trace::{ByClass, Class, Light, Options, Owner, PathTracer, Table};
 use std::fmt::Write;
 use std::sync::OnceLock;
@@ -34,7 +35,7 @@ pub fn by_class() -> &'static ByClass {
     static PARTS: OnceLock<ByClass> = OnceLock::new();
     PARTS.get_or_init(|| {
         let (scene, options) = (scene(), Options::default());
-        let how = resolution_for(&scene, TOLERANCE);
+        let how = Smooth.first(&Room::of(&scene), TOLERANCE);
         ByClass::of(&scene, &shot(&scene, PANEL), &how, &options, &|_, _, _| {})
     })
 }
@@ -173,6 +174,6 @@ pub fn wrong() -> String {
 /// Where the light of pass 1 went.
 pub fn ledger() -> String {
     let scene = scene();
-    let light = smooth(&scene, &resolution_for(&scene, TOLERANCE), &|_, _, _| {});
+    let light = Smooth::once(&Room::of(&scene), TOLERANCE);
     books::of(&light.ledger)
 }

@@ -4,11 +4,11 @@ use crate::chart::{find, trials};
 use crate::ledger;
 use radiosity::chart::patches::Patches;
 use radiosity::chart::suites::solvers::{PATCH, PATCHES};
-use radiosity::field::smooth;
+use radiosity::field::Smooth;
 use radiosity::film::{RgbImage, Shot};
 use radiosity::geometry::Rgb;
+use radiosity::room::Room;
 use radiosity::scene::built_in;
-use radiosity::solution::resolution_for;
 
 /// Method and setting of each picture.
 pub const VIEWS: [(&str, f64); 3] = [
@@ -61,6 +61,5 @@ pub fn caption(k: usize) -> String {
 /// Where the light of the second picture went.
 pub fn ledger() -> String {
     let scene = built_in("cornell").expect("`cornell` is built in");
-    let how = resolution_for(&scene, VIEWS[1].1);
-    ledger::of(&smooth(&scene, &how, &|_, _, _| {}).ledger)
+    ledger::of(&Smooth::once(&Room::of(&scene), VIEWS[1].1).ledger)
 }

@@ -1,10 +1,12 @@
 //! The certificate: how sharply it tells an error, and how far it is off itself.
 
-use crate::certificate::{Certificate, Sampling, certify};
+use crate::certificate::{Certificate, Judged, Sampling, certify};
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
+use crate::field::{Classical, Factors};
 use crate::mesh::{ElementId, Mesh};
+use crate::room::Room;
 use crate::scene::built_in;
-use crate::solution::{Factors, Options, Solution, solve_on};
+use crate::solution::{Goal, Solution, solve_on};
 use glam::DVec3;
 
 /// This suite.
@@ -41,15 +43,20 @@ fn measure(bench: &Bench) -> Vec<Trial> {
 /// at so many `points`; the mean of `fine` audits at the most of them counts as true.
 pub fn audit(edge: f64, points: &[f64], fine: u64, bench: &Bench) -> Vec<Trial> {
     let scene = built_in("cornell").expect("`cornell` is built in");
-    let options = Options { factors: Factors::Hemicube(128), ..Options::default() };
-    let mesh = Mesh::uniform(&scene, edge);
-    let solution = solve_on(&scene, mesh, &options, &|_, _, _| ());
-    let Solution { mesh, vertex_radiosity, .. } = &solution;
-    let field =
-        |id: ElementId, x: DVec3| mesh.value_at(mesh.element(id), x, vertex_radiosity);
+    let (room, mesh) = (Room::of(&scene), Mesh::uniform(&scene, edge));
+    let (method, quiet) =
+        (Classical::by(Factors::Hemicube(128)), crate::work::Work::quiet());
+    let solution = solve_on(&room, &method, mesh, &Goal::default(), &quiet);
+    let solution = solution.expect("hemicubes know the Cornell box");
+    let Solution { field, vertex_radiosity, .. } = &solution;
+    let at = |id: ElementId, x: DVec3| field.radiosity_at(id, x, vertex_radiosity);
+    let field = Judged { mesh: &field.mesh, radiosity: &at };
     let ask = |points: f64, rays: usize, seed: u64| {
         let points = points as usize;
-        let found = certify(&scene, mesh, &field, Sampling { points, rays, seed });
+        let found = {
+            let sampling = Sampling { points, rays, seed };
+            certify(&scene, room.visibility(), room.lamps(), &field, sampling)
+        };
         // Two gathers at each point, for two independent residuals.
         let rays = 2 * (points * rays) as u64;
         (found, Work { rays, ..Work::default() })

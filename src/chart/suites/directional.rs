@@ -129,9 +129,9 @@ fn by_bins(edge: f64, side: u32) -> (Answer, Work) {
 fn two_passes(scene: &Scene, tolerance: f64) -> (Answer, Work) {
     let (solution, work) = solved(scene, tolerance);
     let light = &solution.vertex_radiosity;
-    let second = TwoPass::of(scene, &solution.mesh, light, Options::default());
+    let second = TwoPass::of(scene, &solution.field.mesh, light, Options::default());
     let shown = second.picture(&shot(3), &|_, _, _| {});
-    let Ledger { imbalance, emitted, .. } = solution.ledger;
+    let Ledger { imbalance, emitted, .. } = solution.field.ledger;
     let energy = (imbalance / emitted).abs().max_element();
     ((shown.picture, Some(energy)), Work { rays: shown.rays, ..work })
 }

@@ -6,14 +6,14 @@
 //! The truth is smooth light that errs by far less than what is told. How far it may be off
 //! itself, its certificate says: that is by rays, and trusts no mesh.
 
-use crate::certificate::{Sampling, certify};
+use crate::certificate::{Certificate, Judged, Sampling, certify};
 use crate::chart::Verdict;
-use crate::field::{Smooth, smooth};
+use crate::field::{Field, Smooth};
 use crate::geometry::Rgb;
 use crate::mesh::{ElementId, Mesh};
 use crate::random::Stream;
+use crate::room::Room;
 use crate::scene::Scene;
-use crate::solution::resolution_for;
 use crate::solve::Ledger;
 use glam::DVec3;
 
@@ -29,15 +29,16 @@ pub struct Light {
 
 impl Light {
     /// Smooth light of a scene.
-    pub fn smooth(scene: &Scene, found: Smooth) -> Light {
-        let mut radiosity = vec![Rgb::ZERO; found.mesh.vertices.len()];
-        for element in &found.mesh.elements {
-            for corner in element.corners.iter().map(|c| c.0 as usize) {
-                let h = [found.irradiance[corner], found.behind[corner]];
-                radiosity[corner] = found.radiosity(scene, element, h);
-            }
-        }
+    pub fn smooth(scene: &Scene, found: Field) -> Light {
+        let radiosity = found.vertex_radiosity(scene);
         Light { mesh: found.mesh, radiosity, ledger: found.ledger }
+    }
+
+    /// How wrong it is.
+    pub fn certified(&self, room: &Room, sampling: Sampling) -> Certificate {
+        let radiosity = |id: ElementId, x: DVec3| self.at(id, x);
+        let field = Judged { mesh: &self.mesh, radiosity: &radiosity };
+        certify(room.scene, room.visibility(), room.lamps(), &field, sampling)
     }
 
     /// `B`, W/m², at a point of an element.
@@ -73,11 +74,10 @@ const SEED: u64 = 7;
 impl Truth {
     /// Smooth light that is asked for this `error`.
     pub fn of(scene: &Scene, error: f64) -> Truth {
-        let found = smooth(scene, &resolution_for(scene, error), &|_, _, _| {});
-        let light = Light::smooth(scene, found);
+        let room = Room::of(scene);
+        let light = Light::smooth(scene, Smooth::once(&room, error));
         let sampling = Sampling { points: 1600, rays: 1024, seed: SEED };
-        let field = |id: ElementId, x: DVec3| light.at(id, x);
-        let uncertainty = certify(scene, &light.mesh, &field, sampling).high;
+        let uncertainty = light.certified(&room, sampling).high;
         let mut places = places(scene);
         let values = values(&places, &light);
         let mut scale = Rgb::ZERO;

@@ -3,14 +3,15 @@
 
 use super::truth::Truth;
 use crate::chart::{Contest, Method, Work};
-use crate::field::gather_unbiased;
+use crate::field::{Pass1, Smooth, gather_unbiased};
 use crate::film::{Picture, Shot};
 use crate::geometry::{Frame, Polygon, Ray, Rgb};
 use crate::mesh::Mesh;
 use crate::random::Stream;
 use crate::raster::View;
+use crate::room::Room;
 use crate::scene::{Scene, built_in};
-use crate::solution::{Ask, Solution, automatic, resolution_for};
+use crate::solution::{Goal, Solution, solve_from};
 use crate::specular::{Branching, Carries, Met, Specular};
 use crate::trace::{Limits, Options, PathTracer, Strategy, TwoPass, Whitted};
 use glam::DVec3;
@@ -22,10 +23,6 @@ pub struct Look {
     shot: Shot,
     truth: Truth,
 }
-
-/// One attempt, whatever its certificate says.
-const ASK_ONCE: Ask =
-    Ask { tolerance: 1e9, seed: 0, most_patches: 4000, most_elements: 60_000 };
 
 impl Look {
     /// At a built-in scene in `size × size` pixels. About so many of them, evenly spread,
@@ -78,7 +75,7 @@ impl Look {
 
     fn first(&self, scene: &Scene, tolerance: f64) -> (Picture, Work) {
         let (solution, work) = solved(scene, tolerance);
-        (self.shot.smooth(&solution.mesh, &solution.vertex_radiosity), work)
+        (self.shot.smooth(&solution.field.mesh, &solution.vertex_radiosity), work)
     }
 
     /// Both passes, at tolerances of pass 1.
@@ -101,7 +98,7 @@ impl Look {
 
     fn both(&self, tolerance: f64, options: Options) -> (Picture, Work) {
         let (solution, work) = solved(&self.scene, tolerance);
-        let (mesh, light) = (&solution.mesh, &solution.vertex_radiosity);
+        let (mesh, light) = (&solution.field.mesh, &solution.vertex_radiosity);
         let two = TwoPass::of(&self.scene, mesh, light, options);
         let shown = two.picture(&self.shot, &|_, _, _| {});
         (shown.picture, Work { rays: shown.rays, ..work })
@@ -155,12 +152,15 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 
 /// Pass 1, once, with its certificate.
 pub fn solved(scene: &Scene, tolerance: f64) -> (Solution, Work) {
-    let first = resolution_for(scene, tolerance);
-    let (solution, passes) = automatic(scene, first, &ASK_ONCE, &|_, _, _| {});
-    let cubes: usize = passes.iter().map(|pass| pass.hemicubes).sum();
-    let factors = (cubes * solution.patches) as u64;
+    // One attempt, whatever its certificate says.
+    let (room, goal) = (Room::of(scene), Goal::within(1e9));
+    let first = Smooth.first(&room, tolerance);
+    let quiet = crate::work::Work::quiet();
+    let solution = solve_from(&room, &Smooth, first, &goal, &quiet);
+    let solution = solution.expect("the scene has faces");
+    let factors = (solution.field.rows * solution.field.patches) as u64;
     let bytes = size_of_val(&solution.vertex_radiosity[..]) as u64;
-    let steps = solution.steps as u64;
+    let steps = solution.field.steps as u64;
     (solution, Work { factors, steps, bytes, ..Work::default() })
 }
 
@@ -211,7 +211,8 @@ impl Eye<'_> {
         let pieces = all.iter().flat_map(|(_, ends)| ends);
         let pieces = pieces.map(|end| (end.surface, vec![self.piece(end)]));
         let mesh = Mesh::of_pieces(self.scene, pieces);
-        let mut light = gather_unbiased(self.scene, &mesh, walks, seed).into_iter();
+        let mut light =
+            gather_unbiased(&Room::of(self.scene), &mesh, walks, seed).into_iter();
         let mut of = |end: &End| {
             let found = light.next().expect("one for each piece");
             end.weight * self.material(end.surface).diffuse() * found.irradiance / PI

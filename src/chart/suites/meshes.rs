@@ -3,16 +3,15 @@
 
 use super::field::{Light, Truth};
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
-use crate::field::smooth;
+use crate::field::{Pass1, Smooth};
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::hemicube::Hemicube;
 use crate::form_factor::{FormFactors, Matrix};
 use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material};
 use crate::mesh::{Element, Mesh};
-use crate::room::Direct;
+use crate::room::{Direct, Room};
 use crate::scene::{Face, MaterialId, Scene, built_in};
-use crate::solution::resolution_for;
 use crate::solve::hierarchy::{HierarchyOptions, Link, solve_hierarchy};
 use crate::solve::{
     Enclosure, GaussSeidel, OnElements, Oracle, Solver, Substructure, contraction,
@@ -317,17 +316,16 @@ fn linked(scene: &Scene, finest: f64) -> Method<'_, Light> {
 const SMOOTHED: [f64; 5] = [0.2, 0.1, 0.05, 0.02, 0.01];
 
 fn smoothed(scene: &Scene, finest: f64) -> Method<'_, Light> {
-    let solved =
-        |error: f64| smooth(scene, &resolution_for(scene, error), &|_, _, _| {});
+    let solved = |error: f64| Smooth::once(&Room::of(scene), error);
     let errors = SMOOTHED.into_iter().filter(|e| *e >= finest);
     let asked = errors.map(|e| (solved(e).mesh.elements.len(), e)).collect();
     by_elements(SMOOTH, asked, move |&error| {
         let found = solved(error);
-        let cubes = found.hemicubes as u64;
+        let cubes = found.rows as u64;
         let work = Work {
             factors: cubes * found.patches as u64,
-            pixels: cubes * cells(resolution_for(scene, error).hemicube),
-            steps: found.rounds as u64,
+            pixels: cubes * cells(Smooth.first(&Room::of(scene), error).hemicube),
+            steps: found.steps as u64,
             ..Work::default()
         };
         (Light::smooth(scene, found), work)

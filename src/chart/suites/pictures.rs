@@ -4,10 +4,12 @@
 use super::look::Look;
 use super::truth::Truth;
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
+use crate::field::Classical;
 use crate::film::{Picture, Shot};
 use crate::mesh::Mesh;
+use crate::room::Room;
 use crate::scene::built_in;
-use crate::solution::{Options, solve_on};
+use crate::solution::{Goal, solve_on};
 use crate::trace::Strategy;
 
 /// This suite.
@@ -111,11 +113,14 @@ pub fn strategies(look: &Look, paths: &[f64], bench: &Bench) -> Vec<Trial> {
 pub fn drawn(size: u32, samples: &[f64], truth: u32, bench: &Bench) -> Vec<Trial> {
     let scene = built_in("cornell").expect("`cornell` is built in");
     let mesh = Mesh::uniform(&scene, 0.1);
-    let solution = solve_on(&scene, mesh, &Options::default(), &|_, _, _| {});
+    let (method, quiet) = (Classical::default(), crate::work::Work::quiet());
+    let solution = solve_on(&Room::of(&scene), &method, mesh, &Goal::default(), &quiet);
+    let solution = solution.expect("hemicubes know the Cornell box");
     let shot =
         |samples| Shot { camera: scene.camera, width: size, height: size, samples };
-    let flat = |n: u32| shot(n).flat(&solution.mesh, &solution.radiosity);
-    let smooth = |n: u32| shot(n).smooth(&solution.mesh, &solution.vertex_radiosity);
+    let flat = |n: u32| shot(n).flat(&solution.field.mesh, &solution.radiosity);
+    let smooth =
+        |n: u32| shot(n).smooth(&solution.field.mesh, &solution.vertex_radiosity);
     let ways: [(&str, &dyn Fn(u32) -> Picture); 2] =
         [("flat", &flat), ("smooth", &smooth)];
     let mut trials = vec![];

@@ -5,14 +5,14 @@
 //! beforehand, and must prove that it suffices; so the best in hindsight is certified, too.
 
 use super::field::{Light, Truth};
-use crate::certificate::{Certificate, Sampling, certify};
+use crate::certificate::{Certificate, Sampling};
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
-use crate::field::{Resolution, smooth};
-use crate::mesh::{Element, ElementId};
+use crate::field::{Fineness, Pass1, Smooth};
+use crate::mesh::Element;
 use crate::plan::{Plan, Planned};
+use crate::room::Room;
 use crate::scene::{Scene, built_in};
-use crate::solution::{Ask, Pass, sampling_for};
-use glam::DVec3;
+use crate::solution::{Attempt, Goal, sampling_for};
 use std::cell::RefCell;
 
 /// This suite.
@@ -138,19 +138,21 @@ fn planned<'a>(
     told: &'a RefCell<Vec<(f64, Certificate)>>,
 ) -> Method<'a, Light> {
     Method::new(PLAN, tolerances, |tolerance, _| {
-        let plan = Plan::of(scene, tolerance);
-        let Planned { solution, passes, .. } = plan.run(&Ask::default(), &|_, _, _| {});
+        let room = Room::of(scene);
+        let quiet = crate::work::Work::quiet();
+        let done = Plan::of(&room, tolerance).run(&room, &Goal::default(), &quiet);
+        let Planned { solution, .. } = done.expect("built-in scenes can be solved");
         told.borrow_mut().push((tolerance, solution.certificate));
-        let (mesh, radiosity) = (solution.mesh, solution.vertex_radiosity);
-        let light = Light { mesh, radiosity, ledger: solution.ledger };
-        let of_pass = |pass| of_pass(pass, &sampling_for(tolerance));
-        (light, passes.iter().map(of_pass).fold(Work::default(), sum))
+        let (field, radiosity) = (solution.field, solution.vertex_radiosity);
+        let light = Light { mesh: field.mesh, radiosity, ledger: field.ledger };
+        let work = |attempt| of_attempt(attempt, &sampling_for(tolerance));
+        (light, solution.attempts.iter().map(work).fold(Work::default(), sum))
     })
 }
 
 /// What one attempt of a plan is, with its certificate.
-fn of_pass(pass: &Pass, sampling: &Sampling) -> Work {
-    let (looks, cells) = (pass.hemicubes as u64, cells(&pass.resolution));
+fn of_attempt(pass: &Attempt, sampling: &Sampling) -> Work {
+    let (looks, cells) = (pass.rows as u64, cells(&pass.fineness));
     Work {
         factors: looks * pass.patches as u64,
         pixels: looks * cells,
@@ -170,7 +172,7 @@ fn sum(a: Work, b: Work) -> Work {
     }
 }
 
-fn cells(how: &Resolution) -> u64 {
+fn cells(how: &Fineness) -> u64 {
     3 * u64::from(how.hemicube).pow(2)
 }
 
@@ -200,7 +202,7 @@ pub fn cost_of_light(work: &Work) -> f64 {
 /// Fixed settings, all tried on one scene.
 pub struct Hindsight {
     /// For each tolerance the cheapest that suffices, and its work; none may.
-    pub best: Vec<(f64, Option<(Resolution, Work)>)>,
+    pub best: Vec<(f64, Option<(Fineness, Work)>)>,
 }
 
 /// Patches all over the scene.
@@ -218,9 +220,9 @@ impl Hindsight {
     pub fn of(scene: &Scene, truth: &Truth, tolerances: &[f64]) -> Hindsight {
         let mut found =
             Hindsight { best: tolerances.iter().map(|t| (*t, None)).collect() };
-        let mut dear: Vec<Resolution> = vec![];
+        let mut dear: Vec<Fineness> = vec![];
         for how in settings(scene) {
-            let finer = |d: &Resolution| {
+            let finer = |d: &Fineness| {
                 how.hemicube >= d.hemicube
                     && how.patch <= d.patch
                     && how.direct <= d.direct
@@ -239,13 +241,13 @@ impl Hindsight {
 
     /// Is there a tolerance for which nothing cheaper suffices?
     fn is_cheap(&self, work: &Work) -> bool {
-        let cheaper = |best: &Option<(Resolution, Work)>| {
+        let cheaper = |best: &Option<(Fineness, Work)>| {
             best.is_none_or(|(_, known)| cost(work) < cost(&known))
         };
         self.best.iter().any(|(_, best)| cheaper(best))
     }
 
-    fn enter(&mut self, error: f64, how: Resolution, work: Work) {
+    fn enter(&mut self, error: f64, how: Fineness, work: Work) {
         for (tolerance, best) in &mut self.best {
             let better = best.is_none_or(|(_, known)| cost(&work) < cost(&known));
             if error <= *tolerance && better {
@@ -262,9 +264,8 @@ impl Hindsight {
             let (how, _) = best.and_then(|(_, b)| *b).expect("it is a setting");
             let (light, mut work) = run(scene, &how);
             if name == BEST {
-                let field = |id: ElementId, x: DVec3| light.at(id, x);
                 let sampling = sampling_for(tolerance);
-                certify(scene, &light.mesh, &field, sampling);
+                light.certified(&Room::of(scene), sampling);
                 work.rays = rays(&sampling);
             }
             (light, work)
@@ -273,15 +274,16 @@ impl Hindsight {
 }
 
 /// All that are tried.
-fn settings(scene: &Scene) -> impl Iterator<Item = Resolution> {
+fn settings(scene: &Scene) -> impl Iterator<Item = Fineness> {
     let area: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
-    let of = move |hemicube, patches: f64, bend| Resolution {
+    let usual = Smooth.first(&Room::of(scene), 0.01);
+    let of = move |hemicube, patches: f64, bend| Fineness {
         patch: (area / patches).sqrt(),
         hemicube,
         direct: bend,
         reflected: bend,
         solver: 0.02 * bend,
-        most_elements: Ask::default().most_elements,
+        ..usual
     };
     let bends = move |hemicube, patches| {
         BENDS.into_iter().map(move |bend| of(hemicube, patches, bend))
@@ -292,9 +294,10 @@ fn settings(scene: &Scene) -> impl Iterator<Item = Resolution> {
     CELLS.into_iter().flat_map(patches)
 }
 
-fn run(scene: &Scene, how: &Resolution) -> (Light, Work) {
-    let found = smooth(scene, how, &|_, _, _| {});
-    let looks = found.hemicubes as u64;
+fn run(scene: &Scene, how: &Fineness) -> (Light, Work) {
+    let quiet = crate::work::Work::quiet();
+    let found = Smooth.field(&Room::of(scene), how, &quiet);
+    let looks = found.rows as u64;
     let work = Work {
         factors: looks * found.patches as u64,
         pixels: looks * cells(how),

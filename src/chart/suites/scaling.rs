@@ -7,7 +7,7 @@
 //! Nothing is judged here: errors stand as NaN.
 
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
-use crate::field::smooth;
+use crate::field::{Pass1, Smooth};
 use crate::film::Shot;
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::hemicube::Hemicube;
@@ -15,8 +15,8 @@ use crate::form_factor::{FormFactors, Matrix, ray_from};
 use crate::geometry::{Frame, Polygon, Ray, Rgb};
 use crate::mesh::{ElementId, Mesh};
 use crate::random::Stream;
+use crate::room::Room;
 use crate::scene::{Face, MaterialId, Scene, built_in};
-use crate::solution::resolution_for;
 use crate::solve::hierarchy::{HierarchyOptions, Link, solve_hierarchy};
 use crate::solve::{Enclosure, GaussSeidel, Solver};
 use crate::visibility::Visibility;
@@ -333,11 +333,12 @@ pub fn surfaces(scene: &Scene, sizes: &[f64], bench: &Bench) -> Vec<Trial> {
             Work { factors, steps, bytes, ..Work::default() }
         }))
         .with(over("smooth light", &tiles, |t| {
-            let how = resolution_for(&t.scene, ASKED);
-            let found = smooth(&t.scene, &how, &|_, _, _| {});
-            let (cubes, patches) = (found.hemicubes as u64, found.patches as u64);
+            let room = Room::of(&t.scene);
+            let how = Smooth.first(&room, ASKED);
+            let found = Smooth.field(&room, &how, &crate::work::Work::quiet());
+            let (cubes, patches) = (found.rows as u64, found.patches as u64);
             let pixels = cubes * cells(how.hemicube);
-            let steps = found.rounds as u64;
+            let steps = found.steps as u64;
             Work { factors: cubes * patches, pixels, steps, ..Work::default() }
         }))
         .with(over("hemicube matrix", &tiles, |t| {

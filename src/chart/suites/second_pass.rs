@@ -94,7 +94,7 @@ const RAYS: [f64; 5] = [1.0, 4.0, 16.0, 64.0, 256.0];
 pub fn gloss(size: u32, rays: usize, bench: &Bench) -> Vec<Trial> {
     let scene = built_in("glossy-floor").expect("it is built in");
     let (solution, _) = solved(&scene, 0.1);
-    let (mesh, light) = (&solution.mesh, &solution.vertex_radiosity);
+    let (mesh, light) = (&solution.field.mesh, &solution.vertex_radiosity);
     let camera = scene.camera;
     let shot = Shot { camera, width: size, height: size, samples: 3 };
     let shown = |lobe, rays, seed| {

@@ -1,9 +1,9 @@
 //! The account of smooth light: what the patches sent, and where it went.
 
-use super::Smooth;
 use super::system::{CornerRow, System};
+use crate::field::Field;
 use crate::geometry::Rgb;
-use crate::mesh::{Element, PatchId};
+use crate::mesh::PatchId;
 use crate::scene::Scene;
 use crate::solve::{Enclosure, Ledger, LostPower};
 
@@ -15,19 +15,16 @@ impl System<'_> {
     pub fn ledger(
         &self,
         scene: &Scene,
-        field: &Smooth,
+        field: &Field,
         reflected: &[Rgb],
         patch_of: &[PatchId],
     ) -> Ledger {
         let sent = self.mean_radiosity(reflected);
         let mesh = &field.mesh;
         let fine = Enclosure::of(scene, mesh);
-        let irradiance = mesh.element_means(&field.irradiance);
-        let behind = mesh.element_means(&field.behind);
-        let unshot = |(k, e): (usize, &Element)| {
-            field.radiosity(scene, e, [irradiance[k], behind[k]]) - sent[patch_of[k]]
-        };
-        let unshot: Vec<Rgb> = mesh.elements.iter().enumerate().map(unshot).collect();
+        let (irradiance, radiosity) = (field.irradiance(), field.radiosity(scene));
+        let unshot = |k: usize| radiosity[k] - sent[patch_of[k]];
+        let unshot: Vec<Rgb> = (0..radiosity.len()).map(unshot).collect();
         let mut power = LostPower::default();
         let mut sky = Rgb::ZERO;
         for (k, element) in self.mesh().elements.iter().enumerate() {

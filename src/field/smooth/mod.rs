@@ -29,62 +29,78 @@ mod patches;
 mod specular;
 mod system;
 
-use super::refine::{Ask, Refinement};
+use super::refine::{Asked, Refinement};
+use super::{Cannot, Field, Fineness, Pass1};
 use crate::geometry::Rgb;
-use crate::mesh::{Backs, Element, Mesh, TwoLevels};
-use crate::room::Direct;
+use crate::mesh::{Element, Mesh, TwoLevels};
+use crate::room::{Direct, Room};
 use crate::scene::Scene;
-use crate::solve::Ledger;
-use crate::work::Progress;
+use crate::work::{Progress, Work};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use system::System;
 
-/// How finely light is resolved.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Resolution {
-    /// The longest edge of a patch, in scene units.
-    pub patch: f64,
-    /// Cells along the edge of a hemicube.
-    pub hemicube: u32,
-    /// The error that interpolating direct light may make, relative to the reflected
-    /// light of the scene.
-    pub direct: f64,
-    /// The same for reflected light; infinite when light that was reflected twice is left
-    /// out.
-    pub reflected: f64,
-    /// The error that the solver may leave.
-    pub solver: f64,
-    /// The most elements.
-    pub most_elements: usize,
-}
+/// Smooth light: direct light exactly, reflected light linear across patches.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Smooth;
 
-/// The light of a scene, linear across each element.
-pub struct Smooth {
-    /// The elements.
-    pub mesh: Mesh,
-    /// How many patches they were split from: what shines on what.
-    pub patches: usize,
-    /// `H`, W/m², per vertex of the mesh.
-    pub irradiance: Vec<Rgb>,
-    /// `H` of the other side in the same place, where there is one.
-    pub behind: Vec<Rgb>,
-    /// Where the light went.
-    pub ledger: Ledger,
-    /// `‖r‖/‖B − E‖` of the linear system of the patches.
-    pub solver_residual: f64,
-    /// Rounds of the solver.
-    pub rounds: usize,
-    /// How many hemicubes were drawn.
-    pub hemicubes: usize,
-}
+/// Patches of a scene that is to be 1 % right.
+const PATCHES: f64 = 400.0;
+
+/// The most patches: the work grows as their square.
+const MOST_PATCHES: usize = 4000;
+
+/// The most elements.
+const MOST_ELEMENTS: usize = 60_000;
 
 impl Smooth {
-    /// `B = E + ρ H + τ H_behind`, W/m², of `element` for these two.
-    pub fn radiosity(&self, scene: &Scene, element: &Element, h: [Rgb; 2]) -> Rgb {
-        let material = self.mesh.material(scene, element);
-        let through = material.translucence() * h[1];
-        material.emission() + material.diffuse() * h[0] + through
+    /// The light at the fineness of a first attempt at this error, whatever comes of it.
+    pub fn once(room: &Room, error: f64) -> Field {
+        Smooth.field(room, &Smooth.first(room, error), &Work::quiet())
+    }
+}
+
+impl Pass1 for Smooth {
+    /// All that a room may have.
+    fn knows(&self, _: &Room) -> Result<(), Cannot> {
+        Ok(())
+    }
+
+    /// The fineness with which a first attempt is likely to suffice.
+    ///
+    /// The error of linear elements falls with the square of their size: as one over the
+    /// number of patches. The shares are those that served the built-in scenes best: direct
+    /// and reflected light together may take 0.4² + 0.5² = 0.41 of the square of the
+    /// tolerance; the rest is for patches, hemicubes and the certificate's own doubt.
+    fn first(&self, room: &Room, tolerance: f64) -> Fineness {
+        let area: f64 = room.scene.surfaces.iter().map(|s| s.polygon.area()).sum();
+        let patches = (PATCHES * 0.01 / tolerance).clamp(60.0, 2000.0);
+        Fineness {
+            patch: (area / patches).sqrt(),
+            hemicube: if tolerance < 0.008 { 64 } else { 32 },
+            direct: 0.4 * tolerance,
+            reflected: 0.5 * tolerance,
+            solver: 0.02 * tolerance,
+            most_patches: MOST_PATCHES,
+            most_elements: MOST_ELEMENTS,
+            seed: 0,
+        }
+    }
+
+    fn finer(&self, room: &Room, last: &Fineness, share: f64) -> Option<Fineness> {
+        let next = Fineness {
+            patch: share.sqrt() * last.patch,
+            direct: share * last.direct,
+            reflected: share * last.reflected,
+            hemicube: (last.hemicube as f64 * share.sqrt().recip()) as u32 / 2 * 2,
+            ..*last
+        };
+        let patches = Mesh::count_uniform(room.scene, next.patch);
+        (patches <= last.most_patches as f64).then_some(next)
+    }
+
+    fn field(&self, room: &Room, how: &Fineness, work: &Work) -> Field {
+        smooth(room, how, work)
     }
 }
 
@@ -103,14 +119,14 @@ const MOST_SPLIT: usize = 8;
 const MOST_ROUNDS: usize = 1000;
 
 /// Finds the light of a scene.
-pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
-    let direct = Direct::of(scene);
-    let summed = DirectLight { scene, direct: &direct, how };
+fn smooth(room: &Room, how: &Fineness, work: &Work) -> Field {
+    let (scene, direct, progress) = (room.scene, room.lamps(), work.progress());
+    let summed = DirectLight { scene, direct, how };
     let patches = Mesh::patched(scene, how.patch);
     progress("direct light", 0, 2);
     let scale = summed.scale(&patches);
     let (levels, light) = summed.on(&patches, 2.0 * how.direct, scale);
-    let mut system = System::new(scene, &levels, &light, &direct, how.hemicube);
+    let mut system = System::new(scene, &levels, &light, direct, how.hemicube);
     let looks = AtomicUsize::new(system.look(how.reflected.is_finite(), progress));
     let light = reflected_light(scene, &mut system, how, &looks, progress);
 
@@ -125,27 +141,26 @@ pub fn smooth(scene: &Scene, how: &Resolution, progress: Progress) -> Smooth {
     levels.elements().anchor(&mut irradiance);
     let patch_of = |e: &Element| levels.patch(e.patch).patch;
     let patch_of = levels.elements().elements.iter().map(patch_of).collect::<Vec<_>>();
-    let mesh = levels.into_elements();
-    let mut found = Smooth {
-        behind: Backs::of(scene, &mesh).apply(&irradiance),
-        patches: patches.elements.len(),
-        mesh,
-        irradiance,
-        ledger: Ledger::default(),
-        solver_residual: light.residual,
-        rounds: light.rounds,
-        hemicubes: looks.into_inner(),
-    };
-    found.ledger = system.ledger(scene, &found, &light.on_patches, &patch_of);
+    let field = Field::linear(scene, levels.into_elements(), irradiance);
+    let ledger = system.ledger(scene, &field, &light.on_patches, &patch_of);
+    let rows = looks.into_inner();
+    work.count(rows);
     progress("direct light", 2, 2);
-    found
+    Field {
+        patches: patches.elements.len(),
+        ledger,
+        solver_residual: light.residual,
+        steps: light.rounds,
+        rows,
+        ..field
+    }
 }
 
 /// Light straight from the emitters, and how finely it is asked for.
 struct DirectLight<'a> {
     scene: &'a Scene,
     direct: &'a Direct<'a>,
-    how: &'a Resolution,
+    how: &'a Fineness,
 }
 
 impl DirectLight<'_> {
@@ -164,7 +179,7 @@ impl DirectLight<'_> {
             scene: self.scene,
             light: &|e, at| on[e.patch].irradiance(at),
             reflectance: &|e| scattered[e.patch],
-            ask: Ask::All,
+            ask: Asked::All,
             peaks: &|e| self.direct.peaks(&e.polygon),
             inside: JUST_INSIDE,
             scale,
@@ -218,7 +233,7 @@ struct Reflected<'a> {
 fn reflected_light<'a>(
     scene: &Scene,
     system: &mut System<'a>,
-    how: &Resolution,
+    how: &Fineness,
     looks: &AtomicUsize,
     progress: Progress,
 ) -> Reflected<'a> {
@@ -247,7 +262,7 @@ fn reflected_light<'a>(
             system.seen_from(at, e.polygon.normal()).irradiance(&shone)
         },
         reflectance: &|e| scattered[e.patch],
-        ask: Ask::Centre,
+        ask: Asked::Centre,
         peaks: &|_| Vec::new(),
         inside: INSIDE,
         scale,

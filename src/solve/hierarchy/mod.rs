@@ -83,7 +83,9 @@ pub struct Hierarchical {
     pub radiosity: Vec<Rgb>,
     /// `H`, W/m², per element, on the front.
     pub irradiance: Vec<Rgb>,
-    /// `B`, W/m², per vertex of the mesh: the mean of what the elements there come to.
+    /// `H`, W/m², per vertex of the mesh: the mean of what the elements there come to.
+    pub vertex_irradiance: Vec<Rgb>,
+    /// `B`, W/m², there.
     pub vertex_radiosity: Vec<Rgb>,
     /// Where the light went.
     pub ledger: Ledger,
@@ -358,12 +360,15 @@ impl Hierarchy {
         let residual: Vec<Rgb> = leaves().zip(&radiosity).map(left).collect();
         let lost = lost::by_rays(scene, &mesh, &radiosity, self.options.seed);
         let ids: Vec<NodeId> = leaves().copied().collect();
-        let vertex_radiosity = self.at_vertices(&mesh, &ids);
+        let of_node = |node: &Node, h: Rgb| node.reflected(h);
+        let vertex_radiosity = self.at_vertices(&mesh, &ids, of_node);
+        let vertex_irradiance = self.at_vertices(&mesh, &ids, |_, h| h);
         Hierarchical {
             ledger: Ledger::draw_up(&enclosure, &irradiance, &residual, lost),
             mesh,
             radiosity,
             irradiance,
+            vertex_irradiance,
             vertex_radiosity,
             solver_residual: self.residual,
             steps: self.steps,
@@ -373,7 +378,12 @@ impl Hierarchy {
     }
     /// At the corners of elements light is what their slopes make of it, and never less
     /// than nothing is reflected.
-    fn at_vertices(&self, mesh: &Mesh, leaves: &[NodeId]) -> Vec<Rgb> {
+    fn at_vertices(
+        &self,
+        mesh: &Mesh,
+        leaves: &[NodeId],
+        value: impl Fn(&Node, Rgb) -> Rgb,
+    ) -> Vec<Rgb> {
         let mut sums = vec![(Rgb::ZERO, 0.0); mesh.vertices.len()];
         for (element, &id) in mesh.elements.iter().zip(leaves) {
             let (node, area) = (self.forest.node(id), element.polygon.area());
@@ -381,7 +391,7 @@ impl Hierarchy {
                 let step = mesh.vertices[corner.0 as usize] - node.centre;
                 let arrives = self.forest.irradiance(id) + self.forest.slope(id) * step;
                 let (sum, weight) = &mut sums[corner.0 as usize];
-                *sum += area * node.reflected(arrives.max(Rgb::ZERO));
+                *sum += area * value(node, arrives.max(Rgb::ZERO));
                 *weight += area;
             }
         }

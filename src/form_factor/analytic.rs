@@ -58,7 +58,7 @@ pub fn lambert_polygon(p: DVec3, n: DVec3, to: &Polygon) -> f64 {
 /// cut away first.
 ///
 /// # Accuracy
-/// A relative 1e-9 on all pairs of the accuracy tables (`tests/tables_form_factors.rs`),
+/// A relative 1e-9 on all pairs of the accuracy tables (`tests/tables/form_factors.rs`),
 /// shared edges, near-touching and cut pairs among them.
 pub fn exchange(i: &Polygon, j: &Polygon, tolerance: f64) -> f64 {
     match facing(i, j) {

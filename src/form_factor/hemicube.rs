@@ -160,7 +160,7 @@ impl Weights {
 /// `√(4k)/(3k²)` of the element, less some luck.
 ///
 /// # Accuracy
-/// Within a quarter from a third of a cell to thirty (`tests/pictures.rs`). An element
+/// Within a quarter from a third of a cell to thirty (`tests/factors/pictures.rs`). An element
 /// whose sides run along the cells is off by up to `1/k`: that is what
 /// [`Hemicube::turned`] is for.
 pub fn aliasing_error(resolution: u32, size: f64) -> f64 {

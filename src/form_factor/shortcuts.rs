@@ -15,7 +15,7 @@
 //! | [`crossed_strings`]| all is much longer than it is wide   | the ends matter            |
 //!
 //! None but the strings knows anything of what stands between. Errors of the first two,
-//! between unit squares that face each other (`tests/stability_form_factors.rs`):
+//! between unit squares that face each other (`tests/stability/form_factors.rs`):
 //!
 //! | distance/size  | ¼      | ½      | 1     | 2     | 5     | 10    |
 //! |----------------|--------|--------|-------|-------|-------|-------|

@@ -4,9 +4,12 @@
 pub mod any;
 pub mod mirrored;
 pub mod paths;
+pub mod picture;
 pub mod random_rooms;
 pub mod rooms;
 pub mod shapes;
+pub mod shots;
+pub mod texts;
 pub mod truth;
 
 use glam::DVec3;

@@ -27,7 +27,7 @@ pub const ROWS: &[Row] = &[
                reflectance; ours shows E/(π(1 − ρ)) of a furnace to 1e-8.",
         remedy: "One function turns B into L, and a furnace whose radiance is known \
                  tests the picture and not the solution alone.",
-        tests: &["stability_files::row_77_a_picture_shows_radiance"],
+        tests: &["files::row_77_a_picture_shows_radiance"],
         shown: Shown::Curve(radiance_of_furnaces),
     },
     Row {
@@ -38,7 +38,7 @@ pub const ROWS: &[Row] = &[
         size: "Halfway between black and white the mean of the codes shows 0.214 where \
                0.5 is due; ours is off by half a code at most.",
         remedy: "Interpolate, filter and add radiance; code it as the last step.",
-        tests: &["stability_files::row_78_codes_are_not_light"],
+        tests: &["files::row_78_codes_are_not_light"],
         shown: Shown::Curve(ramp),
     },
     Row {
@@ -51,7 +51,7 @@ pub const ROWS: &[Row] = &[
                is hidden.",
         remedy: "Report the clamped share, compare radiance and not codes, keep `.hdr` \
                  or `.exr`.",
-        tests: &["stability_files::row_79_white_hides_how_bright"],
+        tests: &["files::row_79_white_hides_how_bright"],
         shown: Shown::Curve(clamped),
     },
     Row {
@@ -66,8 +66,8 @@ pub const ROWS: &[Row] = &[
         remedy: "Split as the outline says and warn; refuse what has no meaning, \
                  naming file, line, value and remedy.",
         tests: &[
-            "stability_files::row_80_outlines_keep_their_area",
-            "stability_files::row_80_broken_files_are_refused_by_line",
+            "files::row_80_outlines_keep_their_area",
+            "files::row_80_broken_files_are_refused_by_line",
         ],
         shown: Shown::Curve(fans),
     },
@@ -82,7 +82,7 @@ pub const ROWS: &[Row] = &[
                20 elements in 64 × 64 pixels.",
         remedy: "Pick from an item buffer: one sample for each pixel, whole numbers, \
                  and a rule that gives each edge to one of its two sides.",
-        tests: &["stability_files::row_81_what_is_picked_is_what_is_seen"],
+        tests: &["files::row_81_what_is_picked_is_what_is_seen"],
         shown: Shown::Curve(picked),
     },
     Row {
@@ -96,7 +96,7 @@ pub const ROWS: &[Row] = &[
         remedy: "As many strips as the error asks for, which is second order; scale \
                  reflected flux by the exact area where it matters. (Splines are not \
                  evaluated here yet, so neither are their weights and degenerate edges.)",
-        tests: &["stability_files::row_82_strips_of_a_cylinder_are_of_second_order"],
+        tests: &["files::row_82_strips_of_a_cylinder_are_of_second_order"],
         shown: Shown::Curve(strips),
     },
 ];

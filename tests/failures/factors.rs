@@ -23,7 +23,7 @@ pub const ROWS: &[Row] = &[
         size: "Up to 33 % too much, at half a side; 20 % at one side, 1.3 % at five. A \
                hemicube at the centre has the same error at any resolution.",
         remedy: "Cut near pairs smaller, or integrate over both (the exact method).",
-        tests: &["stability_form_factors::row_01_the_centre_is_not_the_mean"],
+        tests: &["form_factors::row_01_the_centre_is_not_the_mean"],
         shown: Shown::Curve(centre),
     },
     Row {
@@ -34,8 +34,8 @@ pub const ROWS: &[Row] = &[
                closed cube sum to as much as 1.59.",
         remedy: "Never use it nearer than five sizes.",
         tests: &[
-            "stability_form_factors::row_02_points_have_no_upper_bound",
-            "stability_form_factors::row_02_rows_of_the_point_rule_exceed_one",
+            "form_factors::row_02_points_have_no_upper_bound",
+            "form_factors::row_02_rows_of_the_point_rule_exceed_one",
         ],
         shown: Shown::Curve(points),
     },
@@ -46,7 +46,7 @@ pub const ROWS: &[Row] = &[
         size: "In a cube with ρ = 0.9 and 2 × 2 elements a wall the radius is 1.146: no \
                solution. With 6 × 6 it is .989, and the light 8.8 times what it should be.",
         remedy: "Factors whose rows sum to one; a solver that looks at its own books.",
-        tests: &["stability_form_factors::row_03_point_factors_make_light_grow"],
+        tests: &["form_factors::row_03_point_factors_make_light_grow"],
         shown: Shown::Curve(growth),
     },
     Row {
@@ -56,7 +56,7 @@ pub const ROWS: &[Row] = &[
               not the same as being right.",
         size: "+35 % at half a side, +21 % at one: the error of the centre, and 1 % more.",
         remedy: "As for the centre: cut near pairs smaller.",
-        tests: &["stability_form_factors::row_04_a_disc_is_bounded_and_wrong"],
+        tests: &["form_factors::row_04_a_disc_is_bounded_and_wrong"],
         shown: Shown::Curve(disc),
     },
     Row {
@@ -65,7 +65,7 @@ pub const ROWS: &[Row] = &[
         why: "The engineer's rule takes a lamp for a point from five sizes on.",
         size: "It means 2.6 % between two points, 1.3 % when only one side is a point.",
         remedy: "Know what the rule promises; ten sizes give .7 %.",
-        tests: &["stability_form_factors::row_05_five_times_means_three_per_cent"],
+        tests: &["form_factors::row_05_five_times_means_three_per_cent"],
         shown: Shown::Curve(five_times),
     },
     Row {
@@ -75,7 +75,7 @@ pub const ROWS: &[Row] = &[
               asked for it.",
         size: "−5.0 % with one point, and a quarter with each halving: −1.0, −.24, −.06 %.",
         remedy: "Second order is good enough: halve the elements along the edge.",
-        tests: &["stability_form_factors::row_06_points_beside_an_edge"],
+        tests: &["form_factors::row_06_points_beside_an_edge"],
         shown: Shown::Curve(one_side),
     },
     Row {
@@ -86,7 +86,7 @@ pub const ROWS: &[Row] = &[
         size: "+59 % with one pair, and only half of it with each halving: 32, 16.5, 8.4, \
                4.2 %.",
         remedy: "A closed form on one side at least.",
-        tests: &["stability_form_factors::row_07_pairs_of_points_beside_an_edge"],
+        tests: &["form_factors::row_07_pairs_of_points_beside_an_edge"],
         shown: Shown::Curve(both_sides),
     },
 ];

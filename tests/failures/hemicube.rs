@@ -24,7 +24,7 @@ pub const ROWS: &[Row] = &[
         size: "A square a third of a cell wide is off by 230 % in root mean square, of 1.6 \
                cells by 19 %, of 6.4 by 2.3 %: 0.45 k^(−3/2) at most.",
         remedy: "Ask for the resolution by this law, or take small patches exactly.",
-        tests: &["stability_hemicube::row_18_small_patches_alias"],
+        tests: &["hemicube::row_18_small_patches_alias"],
         shown: Shown::Curve(aliasing),
     },
     Row {
@@ -34,7 +34,7 @@ pub const ROWS: &[Row] = &[
         size: "A lamp of .02 at distance 1 is missed in 81 % of all places by a hemicube of \
                32, in 31 % by one of 64.",
         remedy: "Shoot from small lamps instead of gathering; or take them exactly.",
-        tests: &["stability_hemicube::row_19_a_small_lamp_is_missed"],
+        tests: &["hemicube::row_19_a_small_lamp_is_missed"],
         shown: Shown::Curve(missed),
     },
     Row {
@@ -46,8 +46,8 @@ pub const ROWS: &[Row] = &[
                wall gets more than the wall sends to all; at 1/111 111, 138 times.",
         remedy: "Gather at what is small, or bound what one cell may give.",
         tests: &[
-            "stability_hemicube::row_20_a_speck_gets_more_than_there_is",
-            "stability_hemicube::row_20_one_cell_limits_the_ratio_of_areas",
+            "hemicube::row_20_a_speck_gets_more_than_there_is",
+            "hemicube::row_20_one_cell_limits_the_ratio_of_areas",
         ],
         shown: Shown::Curve(speck),
     },
@@ -58,7 +58,7 @@ pub const ROWS: &[Row] = &[
         size: "The sum is off by .0021 at 16, .00053 at 32, .00013 at 64: a quarter each \
                time. It is not the error that matters.",
         remedy: "Integrate over the cell: a closed form.",
-        tests: &["stability_hemicube::row_21_classic_weights_miss_one_by_little"],
+        tests: &["hemicube::row_21_classic_weights_miss_one_by_little"],
         shown: Shown::Curve(delta_sum),
     },
     Row {
@@ -68,7 +68,7 @@ pub const ROWS: &[Row] = &[
         size: "The light of 38 lamps in step with the cells spreads by 132 % over receivers, \
                by 6 % at 20° to them; with turned hemicubes by 40 % everywhere.",
         remedy: "Turn each hemicube by an angle of its own: streaks become noise.",
-        tests: &["stability_hemicube::row_22_turning_breaks_the_beat"],
+        tests: &["hemicube::row_22_turning_breaks_the_beat"],
         shown: Shown::Curve(beat),
     },
 ];

@@ -27,7 +27,7 @@ pub const ROWS: &[Row] = &[
         size: "A small lamp in a cube makes 57, 13 and 3.4 % of its light out of nothing \
                with 1, 2 and 4 elements a wall.",
         remedy: "Compute A·F once for each pair, and use it both ways.",
-        tests: &["stability_form_factors::row_15_gathering_from_centres_invents_light"],
+        tests: &["form_factors::row_15_gathering_from_centres_invents_light"],
         shown: Shown::Curve(invented),
     },
     Row {
@@ -37,7 +37,7 @@ pub const ROWS: &[Row] = &[
         size: "The books balance to rounding, and 6 to 9 % of the reflected light is wrong; \
                as much when the pairs are made reciprocal, too.",
         remedy: "Test a factor that is known, not the sum of a row.",
-        tests: &["stability_form_factors::row_16_normalising_hides_the_error"],
+        tests: &["form_factors::row_16_normalising_hides_the_error"],
         shown: Shown::Curve(hidden),
     },
     Row {
@@ -47,7 +47,7 @@ pub const ROWS: &[Row] = &[
         size: "From a box without a lid 20 % of the floor's light leaves at height 1; after \
                the repair none does.",
         remedy: "Count what leaves, by rays or empty cells; never as 1 − ΣF.",
-        tests: &["stability_form_factors::row_17_normalising_an_open_scene_closes_it"],
+        tests: &["form_factors::row_17_normalising_an_open_scene_closes_it"],
         shown: Shown::Curve(closed_up),
     },
 ];

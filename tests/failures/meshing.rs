@@ -19,8 +19,8 @@ pub const ROWS: &[Row] = &[
                leak exactly 0.",
         remedy: "Cut elements where surfaces meet, before anything else.",
         tests: &[
-            "stability_mesh::row_35_light_leaks_under_walls",
-            "stability_display::row_35_a_leak_falls_in_area_and_not_in_height",
+            "mesh::row_35_light_leaks_under_walls",
+            "display::row_35_a_leak_falls_in_area_and_not_in_height",
         ],
         shown: Shown::Curve(shadows::light_leak),
     },
@@ -32,7 +32,7 @@ pub const ROWS: &[Row] = &[
         size: "A gap of up to half an element, or a shadow on the wrong side, up to \
                half an element; 0 when elements are cut where things touch.",
         remedy: "Cut elements along contact lines.",
-        tests: &["stability_display::row_36_things_float_above_coarse_floors"],
+        tests: &["display::row_36_things_float_above_coarse_floors"],
         shown: Shown::Curve(shadows::floating),
     },
     Row {
@@ -44,7 +44,7 @@ pub const ROWS: &[Row] = &[
                half of it with elements of half the size.",
         remedy: "Refine along edges of shadows, cut along them, or look for lamps at \
                  each pixel.",
-        tests: &["stability_display::row_37_shadow_edges_are_stairs"],
+        tests: &["display::row_37_shadow_edges_are_stairs"],
         shown: Shown::Curve(shadows::stairs),
     },
     Row {
@@ -57,7 +57,7 @@ pub const ROWS: &[Row] = &[
                in the mean over all grids, and seldom on one.",
         remedy: "Means over elements instead of places, and shafts that tell where \
                  something may hide.",
-        tests: &["stability_display::row_38_a_spot_between_the_places_is_not_there"],
+        tests: &["display::row_38_a_spot_between_the_places_is_not_there"],
         shown: Shown::Curve(shadows::missed_spot),
     },
     Row {
@@ -71,8 +71,8 @@ pub const ROWS: &[Row] = &[
         remedy: "Show a T-vertex as the edge that it lies on has it; split neighbours \
                  so that no edge holds two.",
         tests: &[
-            "stability_mesh::row_39_t_vertices_leave_holes",
-            "stability_mesh::row_39_t_vertices_tear_the_field_unless_they_are_anchored",
+            "mesh::row_39_t_vertices_leave_holes",
+            "mesh::row_39_t_vertices_tear_the_field_unless_they_are_anchored",
         ],
         shown: Shown::Curve(fields::torn),
     },
@@ -85,7 +85,7 @@ pub const ROWS: &[Row] = &[
                as elements halve from 0.5 m; the last two are within 6 % of h max \
                |B''|.",
         remedy: "Elements below the distance of the lamp; or light at each pixel.",
-        tests: &["stability_display::row_40_kinks_get_worse_before_they_get_better"],
+        tests: &["display::row_40_kinks_get_worse_before_they_get_better"],
         shown: Shown::Curve(fields::kinks),
     },
     Row {
@@ -98,9 +98,7 @@ pub const ROWS: &[Row] = &[
                of neighbours are twice as far off as exact vertices.",
         remedy: "Smooth fields where the light is smooth, from exact values at \
                  vertices.",
-        tests: &[
-            "stability_display::row_41_flat_is_of_first_order_and_smooth_of_second",
-        ],
+        tests: &["display::row_41_flat_is_of_first_order_and_smooth_of_second"],
         shown: Shown::Curve(fields::flat_and_smooth),
     },
     Row {
@@ -111,7 +109,7 @@ pub const ROWS: &[Row] = &[
                nothing.",
         remedy: "Vertices belong to surfaces; share them only where normal and \
                  material are the same.",
-        tests: &["stability_mesh::row_42_no_mean_over_a_corner"],
+        tests: &["mesh::row_42_no_mean_over_a_corner"],
         shown: Shown::Curve(fields::over_the_corner),
     },
     Row {
@@ -123,9 +121,9 @@ pub const ROWS: &[Row] = &[
                the link by 20 % in any case.",
         remedy: "Ask what may stand between, not only what the points see.",
         tests: &[
-            "stability_links::row_43_points_are_blind_but_shafts_are_not",
-            "stability_links::row_43_a_card_is_hidden_from_points_but_doubted",
-            "stability_display::row_43_an_oracle_of_points_marks_nothing",
+            "links::row_43_points_are_blind_but_shafts_are_not",
+            "links::row_43_a_card_is_hidden_from_points_but_doubted",
+            "display::row_43_an_oracle_of_points_marks_nothing",
         ],
         shown: Shown::Curve(links::blind_points),
     },
@@ -139,7 +137,7 @@ pub const ROWS: &[Row] = &[
                elements in a cube, even without a smallest area.",
         remedy: "Weigh factors with the power that goes over them; have a smallest \
                  area.",
-        tests: &["stability_links::row_44_contacts_do_not_refine_for_ever"],
+        tests: &["links::row_44_contacts_do_not_refine_for_ever"],
         shown: Shown::Curve(links::contacts),
     },
     Row {
@@ -150,7 +148,7 @@ pub const ROWS: &[Row] = &[
         size: "With a crooked quadrilateral in the room plain means are off by 2e-4 of \
                all light; means by area by rounding, below 1e-12.",
         remedy: "Weigh with areas, and check the sums of every level.",
-        tests: &["stability_links::row_45_push_and_pull_conserve_energy"],
+        tests: &["links::row_45_push_and_pull_conserve_energy"],
         shown: Shown::Curve(links::push_and_pull),
     },
     Row {
@@ -161,9 +159,7 @@ pub const ROWS: &[Row] = &[
                light is lost, for 0.9 and 0 it is 18 %; by the mean of the \
                reflectances nothing.",
         remedy: "Decode first, then take the mean.",
-        tests: &[
-            "stability_display::row_46_the_mean_of_a_texture_is_taken_in_linear_light",
-        ],
+        tests: &["display::row_46_the_mean_of_a_texture_is_taken_in_linear_light"],
         shown: Shown::Curve(fields::mean_of_codes),
     },
 ];

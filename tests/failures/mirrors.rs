@@ -23,7 +23,7 @@ pub const ROWS: &[Row] = &[
                it falls as 0.8ᴸ besides.",
         remedy: "As many levels as the mirrors' share asks for, and the bound on what \
                  was cut stated with the solution.",
-        tests: &["stability_mirrors::row_60_mirrors_that_face_each_other"],
+        tests: &["mirrors::row_60_mirrors_that_face_each_other"],
         shown: Shown::Curve(levels),
     },
     Row {
@@ -36,7 +36,7 @@ pub const ROWS: &[Row] = &[
                and exact to 1e-12.",
         remedy: "Clip the image to the pyramid from the point through the mirror's \
                  outline, before Lambert's formula.",
-        tests: &["stability_mirrors::row_61_an_image_is_seen_through_its_mirror"],
+        tests: &["mirrors::row_61_an_image_is_seen_through_its_mirror"],
         shown: Shown::Curve(unclipped),
     },
     Row {
@@ -48,7 +48,7 @@ pub const ROWS: &[Row] = &[
                0 is due; ours follows the card exactly.",
         remedy: "Mirror the blockers with the lamp, those behind the mirror left out, \
                  and ask along the whole straight line.",
-        tests: &["stability_mirrors::row_62_a_card_on_the_second_leg_hides"],
+        tests: &["mirrors::row_62_a_card_on_the_second_leg_hides"],
         shown: Shown::Curve(card),
     },
     Row {
@@ -61,7 +61,7 @@ pub const ROWS: &[Row] = &[
                cut.",
         remedy: "Drop images that no window shows, stop where the share is below what \
                  was asked for, and state the bound.",
-        tests: &["stability_mirrors::row_63_images_multiply_with_each_level"],
+        tests: &["mirrors::row_63_images_multiply_with_each_level"],
         shown: Shown::Curve(images),
     },
     Row {
@@ -75,7 +75,7 @@ pub const ROWS: &[Row] = &[
                warning.",
         remedy: "Tessellate and give each flat piece its own image, or follow rays in \
                  the second pass.",
-        tests: &["stability_mirrors::row_67_a_twisted_mirror_is_two_flat_ones"],
+        tests: &["mirrors::row_67_a_twisted_mirror_is_two_flat_ones"],
         shown: Shown::Curve(behind_the_ball),
     },
     Row {
@@ -87,7 +87,7 @@ pub const ROWS: &[Row] = &[
                window of 4 mm 0.27 %.",
         remedy: "Panes for windows; a solid with two faces, seen by rays in the second \
                  pass, for what is thick.",
-        tests: &["stability_mirrors::row_68_a_thick_pane_brings_the_world_nearer"],
+        tests: &["mirrors::row_68_a_thick_pane_brings_the_world_nearer"],
         shown: Shown::Curve(thick_pane),
     },
 ];

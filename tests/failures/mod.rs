@@ -1,5 +1,5 @@
 //! The failures of all methods, as curves: one knob, one quantity, and where theory
-//! says it lies. The tests `stability_*` assert them, the book's page *Where methods
+//! says it lies. The tests in `tests/stability` assert them, the book's page *Where methods
 //! fail* draws them; both call the same functions, so that what is shown is what is
 //! tested.
 //!
@@ -49,7 +49,8 @@ pub struct Row {
     pub size: &'static str,
     /// What holds against it: one sentence.
     pub remedy: &'static str,
-    /// The tests that assert it: `stability_pairs::row_02_…`; none if left out.
+    /// The tests of `tests/stability` that assert it: `pairs::row_02_…`; none if left
+    /// out.
     pub tests: &'static [&'static str],
     /// What the gallery shows.
     pub shown: Shown,

@@ -21,7 +21,7 @@ pub const ROWS: &[Row] = &[
               what lies above.",
         size: "A wall sunk to its half has the factor 0 instead of .146.",
         remedy: "Clip each polygon to the front of the other first.",
-        tests: &["stability_pairs::row_12_what_is_behind_must_be_cut_away"],
+        tests: &["pairs::row_12_what_is_behind_must_be_cut_away"],
         shown: Shown::Curve(sunken),
     },
     Row {
@@ -32,7 +32,7 @@ pub const ROWS: &[Row] = &[
         size: "Both exchange the same light (Stokes) but differ in area, and so in factor: \
                1.75 % at a twist of .6.",
         remedy: "Refuse it as a polygon, split it by a rule, and say so.",
-        tests: &["stability_pairs::row_13_a_twisted_face_has_two_areas"],
+        tests: &["pairs::row_13_a_twisted_face_has_two_areas"],
         shown: Shown::Curve(twisted),
     },
     Row {
@@ -42,7 +42,7 @@ pub const ROWS: &[Row] = &[
         size: "A square of side 1 at distance 1 gets .128 instead of .239; one that is \
                very wide gets what it should.",
         remedy: "Test one patch whose factor is known.",
-        tests: &["stability_pairs::row_14_rows_do_not_show_wrong_weights"],
+        tests: &["pairs::row_14_rows_do_not_show_wrong_weights"],
         shown: Shown::Curve(without_cosine),
     },
 ];

@@ -26,8 +26,8 @@ pub const ROWS: &[Row] = &[
                of n samples grows as n^⅔. Rays are as good as anywhere.",
         remedy: "Draw directions instead of points; or sample only what is hidden.",
         tests: &[
-            "stability_pairs::row_08_random_pairs_have_infinite_variance_at_an_edge",
-            "stability_pairs::row_08_the_control_takes_the_variance_away",
+            "pairs::row_08_random_pairs_have_infinite_variance_at_an_edge",
+            "pairs::row_08_the_control_takes_the_variance_away",
         ],
         shown: Shown::Curve(random_pairs),
     },
@@ -39,7 +39,7 @@ pub const ROWS: &[Row] = &[
         size: "Points that give eleven digits of facing squares are off by 7.5e-3 on a \
                wedge of any angle; twice as many by half of that.",
         remedy: "Points that crowd doubly exponentially at the ends: all digits.",
-        tests: &["stability_pairs::row_09_touching_edges_want_a_better_rule"],
+        tests: &["pairs::row_09_touching_edges_want_a_better_rule"],
         shown: Shown::Curve(gauss_points),
     },
     Row {
@@ -49,7 +49,7 @@ pub const ROWS: &[Row] = &[
         size: "The printed form has no digit left at 1e4 sizes; the contour integral has \
                eight, and four at 1e6; ours has fifteen everywhere.",
         remedy: "Far away the kernel is flat: a few points give all digits.",
-        tests: &["stability_pairs::row_10_closed_forms_cancel_far_away"],
+        tests: &["pairs::row_10_closed_forms_cancel_far_away"],
         shown: Shown::Curve(cancellation),
     },
     Row {
@@ -61,8 +61,8 @@ pub const ROWS: &[Row] = &[
                published program found F = 1.31, in a row of 1.56.",
         remedy: "Bounds, or an integral that is exact; ours closes the room to 2e-3.",
         tests: &[
-            "stability_pairs::row_11_halving_converges_to_the_wrong_number",
-            "stability_pairs::row_11_touching_obstructions_do_no_harm",
+            "pairs::row_11_halving_converges_to_the_wrong_number",
+            "pairs::row_11_touching_obstructions_do_no_harm",
         ],
         shown: Shown::Curve(false_convergence),
     },

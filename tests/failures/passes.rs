@@ -27,7 +27,7 @@ pub const ROWS: &[Row] = &[
                class `EDS⁺L`; ours is right to 1e-9.",
         remedy: "Give each class of paths to one pass, in writing, and let a test \
                  count every class.",
-        tests: &["stability_passes::rows_64_and_65_a_mirrored_lamp_lost_or_twice"],
+        tests: &["passes::rows_64_and_65_a_mirrored_lamp_lost_or_twice"],
         shown: Shown::Curve(counted_twice),
     },
     Row {
@@ -38,7 +38,7 @@ pub const ROWS: &[Row] = &[
         size: "Beside a perfect mirror the floor lacks 5.5 %: the factor of the lamp's \
                image, to 1e-9; two passes lack nothing.",
         remedy: "Virtual worlds in pass 1, or paths that find lamps by chance.",
-        tests: &["stability_passes::rows_64_and_65_a_mirrored_lamp_lost_or_twice"],
+        tests: &["passes::rows_64_and_65_a_mirrored_lamp_lost_or_twice"],
         shown: Shown::Curve(lost_light),
     },
     Row {
@@ -50,7 +50,7 @@ pub const ROWS: &[Row] = &[
                absorbed: 16 % of the power at k = 0.8.",
         remedy: "Mirrors belong in pass 1 too; the ledger shows at once whether they \
                  are.",
-        tests: &["stability_passes::row_66_plain_radiosity_takes_mirrors_for_black"],
+        tests: &["passes::row_66_plain_radiosity_takes_mirrors_for_black"],
         shown: Shown::Curve(booked_as_absorbed),
     },
     Row {
@@ -61,7 +61,7 @@ pub const ROWS: &[Row] = &[
         size: "Of mirrors of share r a depth d leaves out r^(d+1): 41 % at depth 3 and \
                0.4 % at 24 for r = 0.8; ours tells what it cut, to rounding.",
         remedy: "Cut by weight and not by depth, and state what was cut.",
-        tests: &["stability_passes::row_73_recursion_is_cut_at_its_depth"],
+        tests: &["passes::row_73_recursion_is_cut_at_its_depth"],
         shown: Shown::Curve(cut_at_a_depth),
     },
 ];

@@ -26,7 +26,7 @@ pub const ROWS: &[Row] = &[
         size: "Past a screen that hides three quarters one hemicube sees nothing; 2 × 2 err \
                by +5 %, 3 × 3 by −7 %, 6 × 6 by .7 %.",
         remedy: "Ask what may stand between, and do those pairs exactly.",
-        tests: &["stability_hemicube::row_23_the_centre_sees_one_shadow"],
+        tests: &["hemicube::row_23_the_centre_sees_one_shadow"],
         shown: Shown::Curve(one_shadow),
     },
     Row {
@@ -37,7 +37,7 @@ pub const ROWS: &[Row] = &[
         size: "Half of the factor is in that wall, and all of it is lost; ours has no near \
                plane and loses nothing at 1e-8.",
         remedy: "Clip to the pyramid of the eye alone, in homogeneous coordinates.",
-        tests: &["stability_hemicube::row_24_no_near_plane_cuts_the_corner"],
+        tests: &["hemicube::row_24_no_near_plane_cuts_the_corner"],
         shown: Shown::Curve(near_plane),
     },
     Row {
@@ -48,7 +48,7 @@ pub const ROWS: &[Row] = &[
         size: "A third of a poster's pixels change hands when the eye moves by a millionth; \
                in ours none, for what lies beneath was cut away.",
         remedy: "Settle who owns the plane once, when the scene is read: the smaller wins.",
-        tests: &["stability_hemicube::row_25_coplanar_faces_do_not_fight"],
+        tests: &["hemicube::row_25_coplanar_faces_do_not_fight"],
         shown: Shown::Curve(fight),
     },
     Row {
@@ -58,7 +58,7 @@ pub const ROWS: &[Row] = &[
         size: "With 2²⁵ patches half of all ids come back as others; ours are numbers, and \
                none does.",
         remedy: "Keep ids in integers, and never blend them.",
-        tests: &["stability_hemicube::row_26_ids_neither_overflow_nor_blend"],
+        tests: &["hemicube::row_26_ids_neither_overflow_nor_blend"],
         shown: Shown::Curve(colours),
     },
     Row {
@@ -68,7 +68,7 @@ pub const ROWS: &[Row] = &[
         size: "It misses 44.6 % at half-width 1, 17 % at 2, .8 % at 10, and nothing in the \
                row says so.",
         remedy: "Hemicube or cubic tetrahedron: their pictures close at the horizon.",
-        tests: &["stability_hemicube::row_27_a_single_plane_loses_the_horizon"],
+        tests: &["hemicube::row_27_a_single_plane_loses_the_horizon"],
         shown: Shown::Curve(horizon),
     },
     Row {
@@ -78,7 +78,7 @@ pub const ROWS: &[Row] = &[
         size: "All of the light comes through a one-sided wall; through ours exactly none, \
                and what falls on the back is booked.",
         remedy: "Draw backs too, as black blockers.",
-        tests: &["stability_hemicube::row_28_no_light_through_backs"],
+        tests: &["hemicube::row_28_no_light_through_backs"],
         shown: Shown::Curve(backs),
     },
 ];

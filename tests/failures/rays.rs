@@ -25,7 +25,7 @@ pub const ROWS: &[Row] = &[
                emits; ours refuses the file from 1 on, and finds 1/(1 − s) below.",
         remedy: "Refuse the material where it is made, with its name, the sum and what \
                  to lower; let Fresnel's law split what shines.",
-        tests: &["stability_rays::row_69_materials_that_make_light_are_refused"],
+        tests: &["rays::row_69_materials_that_make_light_are_refused"],
         shown: Shown::Curve(more_than_all),
     },
     Row {
@@ -39,9 +39,9 @@ pub const ROWS: &[Row] = &[
         remedy: "The exact overlap of lamp and cone, over a stack of cones that is the \
                  lobe.",
         tests: &[
-            "stability_rays::row_70_one_cone_has_an_edge_where_the_lobe_has_none",
-            "stability_rays::row_70_a_lamp_half_in_the_cone_counts_half",
-            "stability_rays::row_70_the_noise_of_gloss_falls_with_the_rays",
+            "rays::row_70_one_cone_has_an_edge_where_the_lobe_has_none",
+            "rays::row_70_a_lamp_half_in_the_cone_counts_half",
+            "rays::row_70_the_noise_of_gloss_falls_with_the_rays",
         ],
         shown: Shown::Curve(edge_of_a_cone),
     },
@@ -56,8 +56,8 @@ pub const ROWS: &[Row] = &[
         remedy: "Fresnel's law as it stands, and a stack of the solids that a ray is \
                  in.",
         tests: &[
-            "stability_rays::row_71_glass_is_invisible_in_an_even_glow",
-            "stability_rays::row_71_faces_pass_what_they_do_not_reflect",
+            "rays::row_71_glass_is_invisible_in_an_even_glow",
+            "rays::row_71_faces_pass_what_they_do_not_reflect",
         ],
         shown: Shown::Curve(reflected_and_passed),
     },
@@ -72,8 +72,8 @@ pub const ROWS: &[Row] = &[
         remedy: "Directions by the cosine for final gathering, both ways weighed \
                  together for lamps.",
         tests: &[
-            "stability_rays::row_72_corners_make_no_sparks",
-            "stability_rays::row_72_final_gathering_makes_no_sparks",
+            "rays::row_72_corners_make_no_sparks",
+            "rays::row_72_final_gathering_makes_no_sparks",
         ],
         shown: Shown::Curve(sparks),
     },

@@ -20,8 +20,8 @@ pub const ROWS: &[Row] = &[
         remedy: "Even in cosθ or by the cosine, each with its own weight, and tested \
                  on a plane at every tilt.",
         tests: &[
-            "stability_sky::row_74_directions_even_in_theta_or_twice_cosined",
-            "stability_sky::row_74_planes_see_their_share_of_the_sky",
+            "sky::row_74_directions_even_in_theta_or_twice_cosined",
+            "sky::row_74_planes_see_their_share_of_the_sky",
         ],
         shown: Shown::Curve(tilted),
     },
@@ -36,9 +36,9 @@ pub const ROWS: &[Row] = &[
         remedy: "Draw texels by what they send; make a picture smaller by means, never \
                  by leaving out.",
         tests: &[
-            "stability_sky::row_75_a_sun_in_one_texel",
-            "stability_sky::row_75_a_sun_thinned_out_or_clamped",
-            "stability_sky::row_75_paths_find_a_sun_in_one_texel",
+            "sky::row_75_a_sun_in_one_texel",
+            "sky::row_75_a_sun_thinned_out_or_clamped",
+            "sky::row_75_paths_find_a_sun_in_one_texel",
         ],
         shown: Shown::Curve(noise_of_the_sun),
     },
@@ -51,9 +51,9 @@ pub const ROWS: &[Row] = &[
         remedy: "The solid angle of a row in closed form, `2·sinθ·sin(h/2)`, and not \
                  as a difference of cosines, which loses its digits at the pole.",
         tests: &[
-            "stability_sky::row_76_sine_forgotten",
-            "stability_sky::row_76_differences_of_cosines_fail_at_the_pole",
-            "stability_sky::row_76_seam_and_poles",
+            "sky::row_76_sine_forgotten",
+            "sky::row_76_differences_of_cosines_fail_at_the_pole",
+            "sky::row_76_seam_and_poles",
         ],
         shown: Shown::Curve(weights),
     },

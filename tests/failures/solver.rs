@@ -16,7 +16,7 @@ pub const ROWS: &[Row] = &[
         size: "13, 87, 916, 9205 bounces to 1e-4 at ρ = 0.5, 0.9, 0.99, 0.999; half as \
                many sweeps by Gauss–Seidel.",
         remedy: "Conjugate gradients, about √ of it; overshooting.",
-        tests: &["stability_solver::row_47_sweeps_grow_as_light_dies_out_slowly"],
+        tests: &["solver::row_47_sweeps_grow_as_light_dies_out_slowly"],
         shown: Shown::Curve(sweeps::stiffness),
     },
     Row {
@@ -28,7 +28,7 @@ pub const ROWS: &[Row] = &[
                at 100, and where light can leave even ρ = 1 ends, at 1.25. Such a \
                material is refused.",
         remedy: "Refuse ρ ≥ 1 where materials are made.",
-        tests: &["stability_solver::row_48_reflecting_all_is_refused"],
+        tests: &["solver::row_48_reflecting_all_is_refused"],
         shown: Shown::Curve(sweeps::reflecting_all),
     },
     Row {
@@ -38,7 +38,7 @@ pub const ROWS: &[Row] = &[
         size: "The error is ρ/(1 − ρ) last updates of Jacobi's: 99 at ρ = 0.99, and 49 \
                of Gauss–Seidel's.",
         remedy: "Stop by the residual over 1 − ρ, which bounds the error.",
-        tests: &["stability_solver::row_49_a_small_update_is_no_small_error"],
+        tests: &["solver::row_49_a_small_update_is_no_small_error"],
         shown: Shown::Curve(sweeps::small_updates),
     },
     Row {
@@ -48,7 +48,7 @@ pub const ROWS: &[Row] = &[
         size: "Forty specks, five times as bright as a wall of lamps: after forty \
                shots 99 % of the light has not moved; chosen by power, 13 %.",
         remedy: "Choose by A ΔB.",
-        tests: &["stability_shooting::row_50_small_patches_shoot_too_early"],
+        tests: &["shooting::row_50_small_patches_shoot_too_early"],
         shown: Shown::Curve(shots::specks_first),
     },
     Row {
@@ -59,7 +59,7 @@ pub const ROWS: &[Row] = &[
         size: "Kept in the result it makes 1 + ρ of all light, here 1.7; only shown, \
                exactly Φ/(1 − ρ) after every shot.",
         remedy: "Add it to what is shown, never to what is solved.",
-        tests: &["stability_shooting::row_51_ambient_light_counts_once"],
+        tests: &["shooting::row_51_ambient_light_counts_once"],
         shown: Shown::Curve(shots::counted_twice),
     },
     Row {
@@ -69,7 +69,7 @@ pub const ROWS: &[Row] = &[
         size: "0.042 W/m² in a dark cube beside a lit one, and 0 in the solution, \
                exactly.",
         remedy: "For the first moments only; the solution does not know of it.",
-        tests: &["stability_shooting::row_52_ambient_light_passes_walls"],
+        tests: &["shooting::row_52_ambient_light_passes_walls"],
         shown: Shown::Curve(shots::through_walls),
     },
     Row {
@@ -83,8 +83,8 @@ pub const ROWS: &[Row] = &[
                ρ = 0.9.",
         remedy: "The bound of Gortler, Cohen and Slusallek: never more than is safe.",
         tests: &[
-            "stability_shooting::row_53_overshooting_without_bound_explodes",
-            "stability_shooting::row_53_half_of_the_shots_are_saved",
+            "shooting::row_53_overshooting_without_bound_explodes",
+            "shooting::row_53_half_of_the_shots_are_saved",
         ],
         shown: Shown::Curve(shots::overshooting),
     },
@@ -95,7 +95,7 @@ pub const ROWS: &[Row] = &[
               comes first.",
         size: "8 % of all light after one sweep, gone as ρ²ᵏ: below 1e-12 after 64.",
         remedy: "Run to the end, or do not show what is half done.",
-        tests: &["stability_solver::row_54_a_sweep_depends_on_the_order"],
+        tests: &["solver::row_54_a_sweep_depends_on_the_order"],
         shown: Shown::Curve(sweeps::order),
     },
     Row {
@@ -107,9 +107,7 @@ pub const ROWS: &[Row] = &[
                grows tenfold on the way; made reciprocal it is at 1e-12 after 20 \
                steps.",
         remedy: "Make the factors reciprocal and closed, or sweep.",
-        tests: &[
-            "stability_solver::row_55_conjugate_gradients_stall_without_reciprocity",
-        ],
+        tests: &["solver::row_55_conjugate_gradients_stall_without_reciprocity"],
         shown: Shown::Curve(sweeps::stalled_gradients),
     },
     Row {
@@ -120,7 +118,7 @@ pub const ROWS: &[Row] = &[
                evenly; no element's mean over 100 seeds is off by four of its \
                deviations.",
         remedy: "State the error, name the seed, and spread the rays.",
-        tests: &["stability_solver::row_56_random_factors_are_right_on_average"],
+        tests: &["solver::row_56_random_factors_are_right_on_average"],
         shown: Shown::Curve(sums::noise),
     },
     Row {
@@ -132,7 +130,7 @@ pub const ROWS: &[Row] = &[
                ρ = τ. Here what falls is kept: 3e-7 with a solver of 1e-6, whatever τ \
                is.",
         remedy: "Keep irradiances.",
-        tests: &["stability_sheets::row_57_a_sheet_may_reflect_as_much_as_it_passes"],
+        tests: &["sheets::row_57_a_sheet_may_reflect_as_much_as_it_passes"],
         shown: Shown::Curve(sums::singular_sheet),
     },
     Row {
@@ -143,7 +141,7 @@ pub const ROWS: &[Row] = &[
         size: "A million shares of a millionth: 0.9 % off in single precision, 1e-11 \
                in double.",
         remedy: "Sums of light in double precision.",
-        tests: &["stability_solver::row_58_single_precision_drifts"],
+        tests: &["solver::row_58_single_precision_drifts"],
         shown: Shown::Curve(sums::single_precision),
     },
     Row {
@@ -155,7 +153,7 @@ pub const ROWS: &[Row] = &[
                emitted; by the mean of three reflectances 1.5 times.",
         remedy: "Each channel its own reflectance, its own residual and its own \
                  ledger.",
-        tests: &["stability_solver::row_59_each_channel_has_its_own_books"],
+        tests: &["solver::row_59_each_channel_has_its_own_books"],
         shown: Shown::Curve(sums::one_grey),
     },
 ];

@@ -22,7 +22,7 @@ pub const ROWS: &[Row] = &[
         size: "As a screen's corner slides past the middle, F jumps from .1998 to 0; the \
                truth glides through .1499.",
         remedy: "Cut the polygons by what hides them, or draw many rays.",
-        tests: &["stability_occlusion::row_29_one_ray_decides_all_or_nothing"],
+        tests: &["occlusion::row_29_one_ray_decides_all_or_nothing"],
         shown: Shown::Curve(one_ray),
     },
     Row {
@@ -33,8 +33,8 @@ pub const ROWS: &[Row] = &[
                of 1 cm, 69 % in one of 1 mm; ours begin at 0 and lose none at any scale.",
         remedy: "A ray never meets the face that it leaves: no length is needed.",
         tests: &[
-            "stability_occlusion::row_30_scale_does_not_matter",
-            "stability_occlusion::row_30_an_offset_is_a_length",
+            "occlusion::row_30_scale_does_not_matter",
+            "occlusion::row_30_an_offset_is_a_length",
         ],
         shown: Shown::Curve(offsets),
     },
@@ -46,7 +46,7 @@ pub const ROWS: &[Row] = &[
         size: "Of rays aimed at corners and edges of a closed sphere 1 to 9 % slip out in \
                single precision; of ours none, nor of a million random ones.",
         remedy: "Shear all into the ray's frame, so that neighbours see the same numbers.",
-        tests: &["stability_occlusion::row_31_no_ray_leaves_a_closed_sphere"],
+        tests: &["occlusion::row_31_no_ray_leaves_a_closed_sphere"],
         shown: Shown::Curve(cracks),
     },
     Row {
@@ -57,7 +57,7 @@ pub const ROWS: &[Row] = &[
         size: "A wire of .01 is missed by all of 100 pairs in 13 % of cases; it hides a \
                third of its width, however thin.",
         remedy: "Cut by the wire's own outline.",
-        tests: &["stability_occlusion::row_32_samples_miss_a_wire"],
+        tests: &["occlusion::row_32_samples_miss_a_wire"],
         shown: Shown::Curve(wire_missed),
     },
     Row {
@@ -68,7 +68,7 @@ pub const ROWS: &[Row] = &[
         size: "Past a screen over three quarters V·F is 14 % too little; the open area's \
                share in place of V gives 71 % too much.",
         remedy: "Integrate the kernel and visibility together.",
-        tests: &["stability_occlusion::row_33_mean_visibility_is_not_a_factor"],
+        tests: &["occlusion::row_33_mean_visibility_is_not_a_factor"],
         shown: Shown::Curve(mean_visibility),
     },
     Row {
@@ -79,7 +79,7 @@ pub const ROWS: &[Row] = &[
         size: "In a box of 12 triangles the tree makes more tests than there are triangles; \
                with 972 it makes 36 times fewer. (Counted, not timed.)",
         remedy: "Leaves of a few triangles; no tree below that.",
-        tests: &["stability_occlusion::row_34_a_tree_does_not_pay_for_few"],
+        tests: &["occlusion::row_34_a_tree_does_not_pay_for_few"],
         shown: Shown::Curve(tree),
     },
 ];

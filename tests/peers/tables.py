@@ -1,4 +1,4 @@
-"""The tables of README.md, made from the results; `tests/peers_results.rs` reckons anew."""
+"""The tables of README.md, made from the results; `tests/chart/peers.rs` reckons anew."""
 
 import csv
 import re

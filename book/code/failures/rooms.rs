@@ -1,6 +1,6 @@
 //! How the plan's own defaults held in 500 random rooms: a table of what was found.
 
-/// What `cargo test --test random_rooms table -- --nocapture` printed.
+/// What `cargo test --test laws random_rooms::table -- --nocapture` printed.
 const RECORD: &str = include_str!("../../data/random-rooms-2026-11-22.csv");
 
 /// A line for each family of rooms, and their sum.

@@ -1,0 +1,12 @@
+//! The second pass, classical ray tracing and path tracing.
+#![allow(missing_docs)]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod classes;
+mod cone;
+mod path_glass;
+mod path_tracer;
+mod pictures;
+mod rays;

@@ -37,7 +37,9 @@ fn card(row: &Row) -> String {
 /// Who asserts a row: file and function.
 fn tests(row: &Row) -> String {
     let test = |name: &&str| match name.split_once("::") {
-        Some((file, function)) => format!("`{function}` in `tests/stability/{file}.rs`"),
+        Some((file, function)) => {
+            format!("`{function}` in `tests/stability/{file}.rs`")
+        }
         None => format!("`{name}`"),
     };
     let tests: Vec<String> = row.tests.iter().map(test).collect();
@@ -49,8 +51,10 @@ fn tests(row: &Row) -> String {
 
 /// Row, test and picture of all rows; rows that are left out say why.
 pub fn table() -> String {
-    let mut text =
-        String::from("| | fails | asserted by (`cargo test --test stability`) | shown as |\n|---|---|---|---|\n");
+    let mut text = String::from(
+        "| | fails | asserted by (`cargo test --test stability`) | shown as |\n\
+         |---|---|---|---|\n",
+    );
     for row in rows() {
         let (number, name) = (row.number, plain(row.name).replace('|', "\\|"));
         let page = FAMILIES.iter().find(|f| f.rows.contains(&number));

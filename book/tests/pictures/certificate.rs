@@ -1,7 +1,4 @@
 //! The pictures and numbers of *How wrong is it?*.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures certificate`, and
-//! look.
 
 use crate::picture::assert_picture;
 use book::certificate::{bounds, maps, noise};

@@ -1,7 +1,4 @@
 //! Pictures and numbers of *Why not specular radiosity?*, as snapshots and as claims.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures directional`, and
-//! look.
 
 use crate::picture::assert_picture;
 use book::directional::{smear, views};

@@ -1,6 +1,4 @@
 //! Pictures and numbers of *The picture*, as snapshots and as claims.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures display`, and look.
 
 use crate::picture::assert_picture;
 use book::display::{exposure, ramp, shots, straight, tears};

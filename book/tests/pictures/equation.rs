@@ -1,7 +1,4 @@
 //! The pictures of *The radiosity equation* and *The pipeline*, as snapshots.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures equation`, and
-//! look.
 
 use crate::picture::assert_picture;
 use book::equation::system::{ALL, cornell};

@@ -1,6 +1,4 @@
 //! The book's pictures are snapshots of these tests: a picture cannot go stale.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures figures`, and look.
 
 use crate::picture::assert_picture;
 use book::cornell;

@@ -1,6 +1,4 @@
 //! Pictures of the page on links, as snapshots.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures links`, and look.
 
 use crate::picture::assert_picture;
 use book::links::{ERRORS, picture};

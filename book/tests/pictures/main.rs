@@ -1,4 +1,7 @@
 //! The book's pictures are snapshots of these tests, and its numbers are claims of theirs.
+//!
+//! To draw those of a file anew: `INSTA_UPDATE=always cargo test -p book --test pictures
+//! sky`, and look.
 #![allow(missing_docs)]
 
 #[path = "../../../tests/common/picture.rs"]

@@ -1,6 +1,4 @@
 //! Pictures and numbers of *Mirrors and windows*, as snapshots and as claims.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures mirrors`, and look.
 
 use crate::picture::assert_picture;
 use book::mirrors::levels::{Mirrors, sums};

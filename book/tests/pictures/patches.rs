@@ -1,6 +1,4 @@
 //! Pictures and numbers of the chapter *Patches and elements*, as snapshots and as claims.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures patches`, and look.
 
 use crate::picture::assert_picture;
 use book::patches::{cost, floor, rounds};

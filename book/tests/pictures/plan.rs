@@ -1,6 +1,4 @@
 //! Pictures of the chapter *What does this scene need?*, as snapshots.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures plan`, and look.
 
 use crate::picture::assert_picture;
 use book::plan;

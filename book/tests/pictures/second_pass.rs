@@ -1,6 +1,4 @@
 //! Pictures and numbers of the chapter *The second pass*, as snapshots and as claims.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures second_pass`, and look.
 
 use crate::picture::assert_picture;
 use book::second_pass::{cost, depth, gloss, profile, views};

@@ -1,7 +1,4 @@
 //! Pictures and numbers of the chapters on shooting, as snapshots and as claims.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures shooting`, and
-//! look.
 
 use crate::picture::assert_picture;
 use book::shooting::{ahead, cornell, lit, specks, steps};

@@ -1,7 +1,4 @@
 //! Pictures of the chapter *Side by side*, as snapshots.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures side_by_side`, and
-//! look.
 
 use crate::picture::assert_picture;
 use book::side_by_side::{self, METHODS};

@@ -1,6 +1,4 @@
 //! Pictures of the chapter *Light from the sky*, as snapshots.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures sky`, and look.
 
 use crate::picture::assert_picture;
 use book::sky::{court, shadow, skies};

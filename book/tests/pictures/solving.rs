@@ -1,6 +1,4 @@
 //! Pictures and claims of the chapter *Solving it*.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures solving`, and look.
 
 use crate::picture::assert_picture;
 use book::solving::{stages, stall};

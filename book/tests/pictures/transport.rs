@@ -1,6 +1,4 @@
 //! Pictures and numbers of the chapter *Who carries which light?*, as snapshots and claims.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures transport`, and look.
 
 use crate::picture::assert_picture;
 use book::transport::{cost, parts};

@@ -1,6 +1,4 @@
 //! The pictures and numbers of *Speed against accuracy*.
-//!
-//! To draw them anew: `INSTA_UPDATE=always cargo test -p book --test pictures versus`, and look.
 
 use crate::picture::assert_picture;
 use book::versus::{itself, rule, views};

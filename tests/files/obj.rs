@@ -1,11 +1,10 @@
 //! OBJ and MTL files: what is read, what is repaired, and what is refused, in which words.
 
-
+use crate::common::texts::{SQUARE, folder, message, sound};
 use glam::{DVec3, dvec3};
 use radiosity::material::{Coefficients, Material, Shine};
 use radiosity::obj;
 use radiosity::scene::{Face, FaceId, MaterialId, Scene, builtins};
-use crate::common::texts::{SQUARE, folder, message, sound};
 
 // --- What is read -------------------------------------------------------------------
 

@@ -1,6 +1,5 @@
 //! Smooth light against exact answers, tables, walks, and its own promises.
 
-
 use crate::common::cases;
 use crate::common::rooms::{box_walls, scene};
 use radiosity::field::gather_unbiased;

@@ -1,7 +1,6 @@
 //! The regular Cornell box against an independent solution, made on a finer mesh, and
 //! its direct light against exact values.
 
-
 use crate::common::rooms::{face_means, gathered, solved_by};
 use crate::common::{cases, within};
 use radiosity::field::Smooth;

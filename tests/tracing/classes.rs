@@ -1,6 +1,5 @@
 //! Every path has one owner: both passes find, class by class, what the path tracer finds.
 
-
 use crate::common::paths::largest_z;
 use radiosity::field::Pass1;
 use radiosity::field::Smooth;

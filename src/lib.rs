@@ -4,6 +4,7 @@
 //! The module list below is the dependency order: a module uses only those above it
 //! (`tests/architecture.rs` holds this).
 #![forbid(unsafe_code)]
+#![deny(missing_debug_implementations)] // of the library: labs and book are no libraries
 
 pub use glam;
 

@@ -23,6 +23,7 @@ use std::io::Cursor;
 
 /// Why some bytes are no texture.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum TextureError {
     /// They are no picture of a kind that is read.
     Format,
@@ -48,7 +49,14 @@ impl fmt::Display for TextureError {
     }
 }
 
-impl std::error::Error for TextureError {}
+impl std::error::Error for TextureError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            TextureError::Picture(error) => Some(error),
+            TextureError::Format | TextureError::Value => None,
+        }
+    }
+}
 
 // ANCHOR: mean
 /// The mean over a picture, in linear light: each channel ≥ 0, of PNG files ≤ 1.

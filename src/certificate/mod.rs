@@ -40,6 +40,7 @@ use strata::Strata;
 
 /// What a field's error is, as far as sampling can tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct Certificate {
     /// The likely error, `‖B* − B‖/‖B* − E‖`, worst channel.
     pub error: f64,

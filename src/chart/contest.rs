@@ -1,6 +1,8 @@
 //! The engine: methods × settings on one scene, each timed, counted and held against the
 //! best truth there is.
 
+#![allow(missing_debug_implementations)] // they hold functions: what is run, how it is judged
+
 use super::{Trial, Work};
 use std::hint::black_box;
 

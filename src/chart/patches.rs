@@ -13,6 +13,7 @@ use crate::room::Room;
 use crate::scene::Scene;
 
 /// The patches of a scene and what is known of them.
+#[derive(Debug)]
 pub struct Patches<'a> {
     scene: &'a Scene,
     patches: Mesh,

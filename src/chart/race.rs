@@ -12,6 +12,7 @@ use crate::solve::{
 };
 
 /// A solver by name.
+#[derive(Debug)]
 pub struct Contestant {
     /// As the table calls it.
     pub name: &'static str,
@@ -60,6 +61,7 @@ pub struct Finish {
 /// The room of the race: the L-shaped room, closed, its lamp round the corner, in factors
 /// that are reciprocal and closed to rounding. They are computed once and serve for every
 /// reflectance.
+#[derive(Debug)]
 pub struct Race {
     enclosure: Enclosure,
     factors: Matrix,

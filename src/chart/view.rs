@@ -48,7 +48,7 @@ impl Column {
 }
 
 /// One chart of a suite.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub struct View {
     /// Its file's name, without ending.
     pub file: &'static str,

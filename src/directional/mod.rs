@@ -46,6 +46,7 @@ use std::f64::consts::{FRAC_1_PI, PI};
 /// An iterator without end: each step is one more bounce of all the light (Jacobi) and
 /// yields the [`Ledger`]. What is unshot falls at least as the largest albedo to the
 /// number of bounces.
+#[derive(Debug)]
 pub struct Directional<'a> {
     transport: &'a Transport,
     /// One for each material.

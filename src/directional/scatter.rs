@@ -16,6 +16,7 @@ use std::f64::consts::PI;
 /// The means are taken over points, 32² or more to the hemisphere; that of the albedo, which
 /// has a closed form, is right to 2e-3. The matrix is then scaled from both sides until it
 /// has these sums, and so neither makes nor loses light. Lambert's BRDF is exact.
+#[derive(Debug)]
 pub struct Scatter {
     /// `S_ba` at `b m + a`.
     shares: Vec<Rgb>,

@@ -13,6 +13,7 @@ use rayon::prelude::*;
 ///
 /// Beam `i m + a` is bin `a` of patch `i`. Seen from the patch, what arrives in a bin came
 /// along the direction that the bin's own light would take, the other way.
+#[derive(Debug)]
 pub struct Transport {
     bins: Bins,
     areas: Vec<f64>,

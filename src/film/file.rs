@@ -20,6 +20,7 @@ pub enum Format {
 
 /// Why there is no picture file.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum FilmError {
     /// The file's name ends in none of `.png`, `.hdr`, `.exr`.
     UnknownFormat(PathBuf),
@@ -42,7 +43,14 @@ impl fmt::Display for FilmError {
     }
 }
 
-impl std::error::Error for FilmError {}
+impl std::error::Error for FilmError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            FilmError::UnknownFormat(_) => None,
+            FilmError::Encoding(error) => Some(error),
+        }
+    }
+}
 
 impl From<image::ImageError> for FilmError {
     fn from(error: image::ImageError) -> FilmError {

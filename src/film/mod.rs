@@ -38,6 +38,7 @@ use crate::geometry::Rgb;
 
 /// A picture of linear radiance.
 #[derive(Clone, Debug, PartialEq)]
+#[must_use]
 pub struct Picture {
     /// Width in pixels.
     pub width: u32,

@@ -147,6 +147,8 @@ fn distance_at_least(small: &Polygon, middle: DVec3, large: &Polygon) -> f64 {
 }
 
 /// The method, ready for a scene.
+#[derive(Debug)]
+#[must_use]
 pub struct Analytic {
     elements: Vec<Polygon>,
     /// The elements, cut where blockers touch them: there what is seen jumps.

@@ -16,6 +16,7 @@ use glam::DVec3;
 use std::collections::HashMap;
 
 /// The surfaces of a scene as what stands in the way.
+#[derive(Debug)]
 pub struct Blockers {
     blockers: Vec<Blocker>,
     /// All sheets of all blockers, and whose they are.

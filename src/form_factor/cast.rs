@@ -17,6 +17,7 @@ use crate::random::Stream;
 use crate::visibility::Visibility;
 
 /// The method, ready for a scene.
+#[derive(Debug)]
 pub struct Cast {
     elements: Vec<Polygon>,
     visibility: Visibility,

@@ -12,6 +12,7 @@ use glam::{DMat4, DVec3, DVec4, dvec4};
 use std::ops::Range;
 
 /// Coordinates `s`, `t` on a patch or an element, from −1 to 1 on a parallelogram.
+#[derive(Debug)]
 pub(super) struct PatchCoordinates {
     pub(super) middle: DVec3,
     along: DVec3,

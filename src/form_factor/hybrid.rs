@@ -49,6 +49,7 @@ pub enum Assumption {
 ///
 /// The rows are not reciprocal, and no longer sum to 1: what the hemicube gets wrong in one
 /// place it gets wrong in another the other way, and only large errors are repaired.
+#[derive(Debug)]
 pub struct Hybrid<'m> {
     hemicube: Hemicube<'m>,
     exact: Analytic,

@@ -55,6 +55,7 @@ pub struct CornerView {
 const NEAR: f64 = 1.5;
 
 /// Hemicubes that see where on a patch they look.
+#[derive(Debug)]
 pub struct Linear<'m> {
     levels: &'m TwoLevels<'m>,
     painter: Painter<'m>,

@@ -44,6 +44,7 @@ impl Row {
 
 /// The matrix of form factors, row `i` from element `i`; zeros are not stored.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[must_use]
 pub struct Matrix {
     rows: Vec<Row>,
 }
@@ -86,6 +87,7 @@ impl FormFactors for Matrix {
 }
 
 /// Keeps each row of a method after its first use.
+#[derive(Debug)]
 pub struct Cached<'a> {
     method: &'a dyn FormFactors,
     rows: Vec<OnceLock<Row>>,

@@ -60,6 +60,7 @@ use crate::radiometry::cosine_direction;
 use crate::random::Stream;
 use crate::visibility::Visibility;
 use glam::dvec2;
+use std::fmt;
 
 /// One way to compute form factors: the place where methods are exchanged under a solver.
 pub trait FormFactors: Sync {
@@ -80,6 +81,12 @@ pub trait FormFactors: Sync {
     /// Is there no element?
     fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+}
+
+impl fmt::Debug for dyn FormFactors + '_ {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "FormFactors of {} elements", self.len())
     }
 }
 

@@ -28,6 +28,7 @@ pub struct Polygon {
 
 /// Why some vertices are no [`Polygon`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum PolygonError {
     /// Fewer than three vertices are left once repeated ones are dropped.
     TooFewVertices(usize),

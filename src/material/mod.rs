@@ -61,6 +61,7 @@ pub struct Material {
 
 /// Why some [`Coefficients`] make no material.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum MaterialError {
     /// A coefficient is negative, NaN or infinite.
     NotANumber {

@@ -79,6 +79,7 @@ pub struct Element {
 
 /// The elements of all patches of a scene.
 #[derive(Clone, Debug)]
+#[must_use]
 pub struct Mesh {
     /// In order of the scene's surfaces.
     pub patches: Vec<Patch>,

@@ -63,6 +63,7 @@ const MOST_WARNINGS: usize = 20;
 
 /// Why a file makes no scene.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ObjError {
     /// The file at fault: the OBJ or one of its MTL files.
     pub file: PathBuf,

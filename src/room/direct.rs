@@ -47,6 +47,7 @@ fn lamp_far_away(sun: &Sun, scene: &Scene) -> Option<(Polygon, Rgb)> {
 }
 
 /// The emitters of a scene, their images, and what may stand before them.
+#[derive(Debug)]
 pub struct Direct<'a> {
     pub(super) emitters: Vec<(&'a Polygon, Rgb)>,
     /// Openings to the sky; none when it is also seen elsewhere.
@@ -180,6 +181,7 @@ impl<'a> Direct<'a> {
 }
 
 /// The emitters as they light a piece of a surface.
+#[derive(Debug)]
 pub struct OnPiece<'a> {
     normal: DVec3,
     lamps: Vec<(Sight, Rgb)>,

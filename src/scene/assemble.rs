@@ -8,6 +8,7 @@ use std::fmt;
 
 /// What was repaired on the way from faces to surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Warning {
     /// A face was not convex or not planar, and is several surfaces now.
     Split {
@@ -132,6 +133,7 @@ impl Scene {
     }
 
     /// The same scene with all opaque faces reflecting on both sides.
+    #[must_use]
     pub fn two_sided(mut self) -> Scene {
         self.add_backs(|material| !material.shine().passes(), true);
         self

@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 
 /// Why a file is no sky.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct SkyError {
     /// The file.
     pub path: PathBuf,
@@ -21,6 +22,7 @@ pub struct SkyError {
 
 /// What can be the matter with a file.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum SkyTrouble {
     /// It cannot be read.
     File(std::io::Error),
@@ -51,7 +53,21 @@ impl fmt::Display for SkyTrouble {
     }
 }
 
-impl std::error::Error for SkyError {}
+impl std::error::Error for SkyError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&self.reason)
+    }
+}
+
+impl std::error::Error for SkyTrouble {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            SkyTrouble::File(error) => Some(error),
+            SkyTrouble::Picture(error) => error.as_ref().map(|error| error as _),
+            SkyTrouble::Panorama(error) => Some(error),
+        }
+    }
+}
 
 impl From<std::io::Error> for SkyTrouble {
     fn from(error: std::io::Error) -> SkyTrouble {

@@ -20,6 +20,7 @@ pub struct Panorama {
 
 /// Why some texels make no panorama.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum PanoramaError {
     /// Nothing is in it, or the last row is not whole.
     Size {

@@ -77,6 +77,7 @@ pub struct Attempt {
 
 /// The light of a scene, and how wrong it is.
 #[derive(Clone, Debug)]
+#[must_use]
 pub struct Solution {
     /// The light, on its mesh.
     pub field: Field,

@@ -25,6 +25,7 @@ use crate::geometry::Rgb;
 /// **Fails** where factors are not reciprocal: with those of element centres the residual
 /// goes up and down on its way, with few rays it stalls for good - the sooner the nearer ρ
 /// is to 1. It is the true residual all the same, so that a bound drawn from it holds.
+#[derive(Debug)]
 pub struct ConjugateGradients<'a> {
     enclosure: &'a Enclosure,
     factors: &'a Matrix,

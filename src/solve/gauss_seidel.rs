@@ -14,6 +14,7 @@ use crate::geometry::Rgb;
 /// A step is one sweep over the elements, and in a closed room does about as much as two
 /// bounces of [`super::Jacobi`], for the work of one: the second sum is made when the sweep
 /// is over, for the residual, and is there when the next begins.
+#[derive(Debug)]
 pub struct GaussSeidel<'a> {
     enclosure: &'a Enclosure,
     factors: &'a Matrix,

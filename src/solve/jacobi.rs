@@ -13,6 +13,7 @@ use crate::geometry::Rgb;
 /// What is missing is the light that bounces more often: of a closed room of one
 /// reflectance exactly the share `ρ^(k+1)`. The order of the elements does not matter, and
 /// they can be done all at once.
+#[derive(Debug)]
 pub struct Jacobi<'a> {
     enclosure: &'a Enclosure,
     factors: &'a Matrix,

@@ -37,6 +37,7 @@ use crate::mesh::ElementId;
 /// While unshot light is negative here and there, radiosities may be too large
 /// elsewhere: what is shown early on is no lower bound of the solution, as it is with
 /// [`Shoot`].
+#[derive(Debug)]
 pub struct Overshoot<'a> {
     shoot: Shoot<'a>,
 }

@@ -34,6 +34,7 @@ pub enum Brightest {
 /// With factors that are not reciprocal, a hemicube's for instance, it ends at another
 /// solution than gathering, as it takes `F_ij A_i/A_j` for `F_ji`: no light is made or
 /// lost on the way as long as each row, with what it loses, sums to one.
+#[derive(Debug)]
 pub struct Shoot<'a> {
     pub(super) enclosure: &'a Enclosure,
     factors: &'a dyn FormFactors,

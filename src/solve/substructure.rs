@@ -29,6 +29,7 @@ use crate::mesh::{Element, Mesh, Patch, VertexId};
 use crate::scene::Scene;
 use rayon::prelude::*;
 use std::collections::HashMap;
+use std::fmt;
 
 /// What an element sees: writes to `row[q]` the form factor from the element to patch `q`,
 /// and returns what reaches no front.
@@ -44,6 +45,13 @@ pub struct Substructure<'a> {
     mesh: Mesh,
     rows: Vec<Row>,
     computed: usize,
+}
+
+impl fmt::Debug for Substructure<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Substructure { scene, mesh, computed, .. } = self;
+        write!(f, "Substructure of {}: {mesh:?}, {computed} rows", scene.name)
+    }
 }
 
 /// The light of a [`Substructure`].

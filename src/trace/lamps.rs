@@ -21,6 +21,7 @@ pub(super) enum Panes {
 }
 
 /// All lamps, and for each surface those that may shine on it.
+#[derive(Debug)]
 pub(super) struct Lamps {
     lamps: Vec<(Polygon, Rgb)>,
     blockers: Blockers,
@@ -28,6 +29,7 @@ pub(super) struct Lamps {
 }
 
 /// A lamp before a surface.
+#[derive(Debug)]
 struct Shining {
     lamp: u32,
     /// Which of the blockers may stand between.

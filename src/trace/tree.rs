@@ -87,6 +87,7 @@ impl Tally {
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
 /// A scene, ready to follow rays through.
+#[derive(Debug)]
 pub(super) struct Tree<'s> {
     pub scene: &'s Scene,
     pub visibility: Visibility,

@@ -37,6 +37,7 @@ impl Default for Options {
 }
 
 /// A scene with its diffuse light, ready to be looked at.
+#[derive(Debug)]
 pub struct TwoPass<'s> {
     tree: Tree<'s>,
     mesh: &'s Mesh,

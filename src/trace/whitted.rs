@@ -22,6 +22,7 @@ use std::f64::consts::PI;
 /// Light reaches a diffuse surface straight from lamps and no other way; `A` is a constant
 /// that stands for all other light. A translucent surface gets the light of both its
 /// sides. Gloss shows the lamps, and `A` in place of all else.
+#[derive(Debug)]
 pub struct Whitted<'s> {
     tree: Tree<'s>,
     /// One element for each surface: what the eye sees first is looked up.

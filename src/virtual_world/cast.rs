@@ -13,6 +13,7 @@ use crate::visibility::Visibility;
 ///
 /// At a pane a ray divides, so that no chance decides which way it goes. The standard error
 /// of a factor is that of plain rays, or less.
+#[derive(Debug)]
 pub struct ExtendedCast<'a> {
     mesh: &'a Mesh,
     world: &'a VirtualWorld,

@@ -13,6 +13,7 @@ use rayon::prelude::*;
 /// In a matrix one number serves both directions of a pair, so that reciprocity holds to
 /// rounding. Where there are no panes, what mirrors send on is booked exactly; only what
 /// escapes, or falls on black backs, is counted by rays.
+#[derive(Debug)]
 pub struct ExtendedAnalytic<'a> {
     direct: Analytic,
     rays: ExtendedCast<'a>,

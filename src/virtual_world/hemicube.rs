@@ -20,6 +20,7 @@ use std::collections::BTreeMap;
 
 /// Hemicubes that look into a virtual world; otherwise as
 /// [`crate::form_factor::hemicube::Hemicube`].
+#[derive(Debug)]
 pub struct ExtendedHemicube<'a> {
     mesh: &'a Mesh,
     world: &'a VirtualWorld,

@@ -102,6 +102,7 @@ impl Pane {
 }
 
 /// The images of a scene in its flat mirrors and panes.
+#[derive(Debug)]
 pub struct VirtualWorld {
     mirrors: Vec<Mirror>,
     panes: Vec<Pane>,

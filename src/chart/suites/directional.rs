@@ -183,6 +183,7 @@ pub fn shot(samples: u32) -> Shot {
 }
 
 /// The cube in patches and bins.
+#[derive(Debug)]
 pub struct Tiny {
     /// The cube.
     pub scene: Scene,

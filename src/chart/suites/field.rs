@@ -18,6 +18,7 @@ use crate::solve::Ledger;
 use glam::DVec3;
 
 /// Light as it is shown: linear between the vertices of a mesh.
+#[derive(Debug)]
 pub struct Light {
     /// The elements.
     pub mesh: Mesh,
@@ -48,6 +49,7 @@ impl Light {
 }
 
 /// A point of a surface, the area it stands for, and what is reflected there.
+#[derive(Debug)]
 struct Place {
     surface: usize,
     at: DVec3,
@@ -57,6 +59,7 @@ struct Place {
 }
 
 /// The light of a scene at many points.
+#[derive(Debug)]
 pub struct Truth {
     places: Vec<Place>,
     /// `‖B* − E‖²`.

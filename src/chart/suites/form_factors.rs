@@ -60,7 +60,7 @@ pub const ROWS: &str = "rows of the Cornell box";
 const DISC: &str = "point to disc";
 
 /// A rectangle from a corner and two edges; its front is where `a × b` points.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Rectangle(DVec3, DVec3, DVec3);
 
 impl Rectangle {
@@ -79,6 +79,7 @@ impl Rectangle {
 }
 
 /// Two squares, what stands between them, and the factor from the first to the second.
+#[derive(Debug)]
 pub struct Pair {
     from: Rectangle,
     to: Rectangle,

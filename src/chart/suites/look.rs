@@ -18,6 +18,7 @@ use glam::DVec3;
 use std::f64::consts::PI;
 
 /// A scene as its camera sees it, and what it should show.
+#[derive(Debug)]
 pub struct Look {
     scene: Scene,
     shot: Shot,

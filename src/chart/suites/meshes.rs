@@ -202,6 +202,7 @@ fn gathered(scene: &Scene, mesh: Mesh, factors: &Matrix) -> (Light, u64) {
 
 // ANCHOR: rounds
 /// Patches of the scene, split `rounds` times; stops when nothing is marked.
+#[derive(Debug)]
 pub struct Rounds<'a> {
     scene: &'a Scene,
     patches: Mesh,
@@ -210,6 +211,7 @@ pub struct Rounds<'a> {
 // ANCHOR_END: rounds
 
 /// After some rounds.
+#[derive(Debug)]
 pub struct Round {
     /// Patches and elements.
     pub mesh: Mesh,

@@ -19,6 +19,7 @@ mod truth;
 use super::{Bench, Trial, View};
 
 /// Contests that belong together, and the charts that are drawn of them.
+#[derive(Debug)]
 pub struct Suite {
     /// Its name, that of its table and of its charts.
     pub name: &'static str,

@@ -200,6 +200,7 @@ pub fn cost_of_light(work: &Work) -> f64 {
 }
 
 /// Fixed settings, all tried on one scene.
+#[derive(Debug)]
 pub struct Hindsight {
     /// For each tolerance the cheapest that suffices, and its work; none may.
     pub best: Vec<(f64, Option<(Fineness, Work)>)>,
@@ -265,7 +266,7 @@ impl Hindsight {
             let (light, mut work) = run(scene, &how);
             if name == BEST {
                 let sampling = sampling_for(tolerance);
-                light.certified(&Room::of(scene), sampling);
+                let _ = light.certified(&Room::of(scene), sampling);
                 work.rays = rays(&sampling);
             }
             (light, work)

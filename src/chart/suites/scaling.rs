@@ -195,7 +195,7 @@ pub fn stages(name: &str, scene: &Scene, sizes: &[f64], bench: &Bench) -> Vec<Tr
             Work { steps, ..Work::default() }
         }))
         .with(over(STAGE[3], &ready, |r| {
-            shot.smooth(&r.mesh, &r.mesh.vertex_values(&r.radiosity));
+            let _ = shot.smooth(&r.mesh, &r.mesh.vertex_values(&r.radiosity));
             Work { pixels: 512 * 512, ..Work::default() }
         }))
         .run(SUITE.name, bench)

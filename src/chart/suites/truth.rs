@@ -11,6 +11,7 @@ use crate::film::Picture;
 use crate::geometry::Rgb;
 
 /// What some pixels of a picture should show.
+#[derive(Debug)]
 pub struct Truth {
     /// Which pixels.
     pixels: Vec<usize>,

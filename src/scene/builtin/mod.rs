@@ -33,6 +33,7 @@ use glam::{DVec3, dvec3};
 use std::fmt;
 
 /// A built-in scene, by name.
+#[derive(Debug)]
 pub struct BuiltIn {
     /// The name by which the command knows it.
     pub name: &'static str,
@@ -128,6 +129,7 @@ pub fn builtins() -> Vec<BuiltIn> {
 
 /// Why there is no built-in scene of some name.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum BuiltInError {
     /// No scene is called so.
     Unknown(String),

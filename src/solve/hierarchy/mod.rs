@@ -136,6 +136,7 @@ const ROUNDS: usize = 3;
 const MOST_SWEEPS: usize = 20_000;
 
 /// Trees, links, and the light on them.
+#[derive(Debug)]
 pub struct Hierarchy {
     forest: Forest,
     blockers: Blockers,

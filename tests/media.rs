@@ -10,6 +10,7 @@ use radiosity::material::Coefficients;
 use radiosity::material::optics::{fresnel, pane as pane_shares};
 use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::{Face, Scene};
 use radiosity::sky::Sky;
 use radiosity::solve::Enclosure;
@@ -31,11 +32,14 @@ fn seen(scene: &Scene, ray: Ray, limits: Limits) -> Vec<(&'static str, f64, f64)
     let b = mesh.vertex_values(&Enclosure::of(scene, &mesh).emission);
     let options = Options { limits, ..Options::default() };
     let trees = [
-        ("classical", Whitted::of(scene, limits).along(&ray)),
-        ("two passes", TwoPass::of(scene, &mesh, &b, options).along(&ray)),
+        ("classical", Whitted::of(&Room::of(scene), limits).along(&ray)),
+        (
+            "two passes",
+            TwoPass::showing(&Room::of(scene), &mesh, &b, options).along(&ray),
+        ),
     ];
     let trees = trees.map(|(name, found)| (name, found.radiance.x + found.cut.x, 1e-9));
-    let tracer = PathTracer::of(scene);
+    let tracer = PathTracer::of(&Room::of(scene));
     let drawn = [("paths", mean(|random| tracer.radiance(ray, random).x))];
     let drawn = drawn.map(|(name, (mean, error))| (name, mean, error));
     trees.into_iter().chain(drawn).collect()
@@ -249,7 +253,8 @@ fn a_ray_knows_where_it_begins() {
             let right = n * n;
             let drawn = found.skip(2).map(|(by, l, e)| (by, l, e * right, right));
             by_chance(&drawn.collect::<Vec<_>>());
-            let whitted = Whitted::of(&scene, limits).along(&Ray { origin, direction });
+            let whitted = Whitted::of(&Room::of(&scene), limits)
+                .along(&Ray { origin, direction });
             let all = whitted.radiance.x + right * whitted.cut.x;
             assert!((all - right).abs() < 1e-9, "{origin}: {all}, not {right}");
         }
@@ -271,15 +276,16 @@ fn floors_under_water() {
     // A ball: no ray is caught in it for ever.
     let ball = of(sphere(DVec3::ZERO, 1.2, 6), glass(n));
     let glowing = shiny(glow().chain([(spot, dull(0.0, 0.0))]).chain(ball));
-    let h = PathTracer::of(&glowing).irradiance(6, x, 20_000, 3);
+    let h = PathTracer::of(&Room::of(&glowing)).irradiance(6, x, 20_000, 3);
     by_chance(&[("a glow", h.mean.x, h.error.x.max(1e-9), n * n * PI)]);
     let lit = [(floor, dull(0.0, 0.0)), (lamp, dull(PI, 0.0))];
-    let dry = PathTracer::of(&shiny(lit.clone())).irradiance(0, x, 50_000, 3);
+    let dry =
+        PathTracer::of(&Room::of(&shiny(lit.clone()))).irradiance(0, x, 50_000, 3);
     let all = drowned.into_iter().chain(water);
     let scene = shiny(lit.into_iter().chain(all));
     // Water reflects some of the lamp's light back: that is beyond the lamp's own.
     let found = [Strategy::Lamps, Strategy::Lobes, Strategy::Both].map(|strategy| {
-        let tracer = PathTracer::of(&scene).by(strategy);
+        let tracer = PathTracer::of(&Room::of(&scene)).by(strategy);
         (strategy, tracer.irradiance(0, x, 20_000, 4))
     });
     let by = |k: usize| (found[k].1.mean.x, found[k].1.error.x);

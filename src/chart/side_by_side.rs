@@ -88,14 +88,23 @@ impl Comparison {
         let (two, second) = timed(clock, || {
             let (mesh, light) = (&solution.field.mesh, &solution.vertex_radiosity);
             let options = Options { seed: effort.seed, ..Options::default() };
-            TwoPass::of(scene, mesh, light, options).picture(shot, progress).picture
+            TwoPass::showing(&Room::of(scene), mesh, light, options)
+                .picture(shot, progress)
+                .picture
         });
         // ANCHOR_END: two_pass
         let rays = timed(clock, || {
-            Whitted::of(scene, Limits::default()).picture(shot, progress).picture
+            Whitted::of(&Room::of(scene), Limits::default())
+                .picture(shot, progress)
+                .picture
         });
         let (reference, seconds) = timed(clock, || {
-            PathTracer::of(scene).picture(shot, effort.paths, effort.seed, progress)
+            PathTracer::of(&Room::of(scene)).picture(
+                shot,
+                effort.paths,
+                effort.seed,
+                progress,
+            )
         });
         let made = [classical, rays, one, (two, first + second)];
         Comparison::compared(made, reference, seconds, solution)

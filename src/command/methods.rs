@@ -106,7 +106,6 @@ pub fn make(
     seed: u64,
     terminal: &Terminal,
 ) -> Made {
-    let scene = room.scene;
     let progress = |what: &'static str, done, all| terminal.progress(what, done, all);
     let plain = |picture| Made { picture, rays: None, error: None };
     let shown = |shown: radiosity::trace::Shown| Made {
@@ -115,9 +114,9 @@ pub fn make(
         error: None,
     };
     match (method, solution) {
-        (Method::TwoPass, Some(Solution { field, vertex_radiosity, .. })) => {
+        (Method::TwoPass, Some(Solution { field, .. })) => {
             let options = Options { seed, ..Options::default() };
-            let second = TwoPass::of(scene, &field.mesh, vertex_radiosity, options);
+            let second = TwoPass::of(room, field, options);
             shown(second.picture(shot, &progress))
         }
         (_, Some(Solution { field, vertex_radiosity, .. })) => {
@@ -125,11 +124,11 @@ pub fn make(
             plain(shot.smooth(&field.mesh, vertex_radiosity))
         }
         (Method::PathTrace, None) => {
-            let traced = PathTracer::of(scene).picture(shot, samples, seed, &progress);
+            let traced = PathTracer::of(room).picture(shot, samples, seed, &progress);
             Made { picture: traced.picture, rays: None, error: Some(traced.error) }
         }
         (_, None) => {
-            shown(Whitted::of(scene, Limits::default()).picture(shot, &progress))
+            shown(Whitted::of(room, Limits::default()).picture(shot, &progress))
         }
     }
 }
@@ -161,7 +160,9 @@ pub fn classes(scene: &Scene, shot: &Shot, seed: u64) -> Table {
     let small = |pixels: u32| ((f64::from(pixels) * scale) as u32).max(1);
     let (width, height) = (small(shot.width), small(shot.height));
     let shot = Shot { width, height, ..*shot };
-    PathTracer::of(scene).picture(&shot, CLASS_PATHS, seed, &|_, _, _| {}).classes
+    PathTracer::of(&Room::of(scene))
+        .picture(&shot, CLASS_PATHS, seed, &|_, _, _| {})
+        .classes
 }
 
 /// The table as `--json` has it: mean radiance over the picture, W/(m² sr).

@@ -37,16 +37,18 @@ use crate::form_factor::Blockers;
 use crate::scene::Scene;
 use crate::virtual_world::VirtualWorld;
 use crate::visibility::Visibility;
-use std::sync::OnceLock;
+use crate::ways::Solids;
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, OnceLock};
 
 /// A scene made ready for light.
 pub struct Room<'s> {
     /// The scene.
     pub scene: &'s Scene,
-    visibility: OnceLock<Visibility>,
+    visibility: OnceLock<Arc<Visibility>>,
+    solids: OnceLock<Arc<Solids>>,
     lamps: OnceLock<Direct<'s>>,
-    built: [AtomicU32; 2],
+    built: [AtomicU32; 3],
 }
 
 impl std::fmt::Debug for Room<'_> {
@@ -63,6 +65,8 @@ impl std::fmt::Debug for Room<'_> {
 pub struct Built {
     /// The hierarchy of rays.
     pub visibility: u32,
+    /// The solids of glass.
+    pub solids: u32,
     /// Lamps and openings, with the images of the scene and its blockers.
     pub lamps: u32,
 }
@@ -70,25 +74,35 @@ pub struct Built {
 impl<'s> Room<'s> {
     /// That of a scene; nothing is made yet.
     pub fn of(scene: &'s Scene) -> Room<'s> {
-        let (visibility, lamps) = (OnceLock::new(), OnceLock::new());
-        Room { scene, visibility, lamps, built: Default::default() }
+        let (visibility, solids) = (OnceLock::new(), OnceLock::new());
+        let (lamps, built) = (OnceLock::new(), Default::default());
+        Room { scene, visibility, solids, lamps, built }
     }
 
     // ANCHOR: once
     /// What rays meet: the surfaces, in order.
-    pub fn visibility(&self) -> &Visibility {
+    pub fn visibility(&self) -> &Arc<Visibility> {
         self.visibility.get_or_init(|| {
             self.built[0].fetch_add(1, Ordering::Relaxed);
-            Visibility::new(self.scene.surfaces.iter().map(|s| &s.polygon))
+            let outlines = self.scene.surfaces.iter().map(|s| &s.polygon);
+            Arc::new(Visibility::new(outlines))
         })
     }
     // ANCHOR_END: once
+
+    /// The solids of glass, which tell the media that a ray is in.
+    pub fn solids(&self) -> &Arc<Solids> {
+        self.solids.get_or_init(|| {
+            self.built[1].fetch_add(1, Ordering::Relaxed);
+            Arc::new(Solids::of(self.scene))
+        })
+    }
 
     /// Lamps and openings to the sky, as points of surfaces see them: also by flat mirrors
     /// and through panes.
     pub fn lamps(&self) -> &Direct<'s> {
         self.lamps.get_or_init(|| {
-            self.built[1].fetch_add(1, Ordering::Relaxed);
+            self.built[2].fetch_add(1, Ordering::Relaxed);
             Direct::of(self.scene)
         })
     }
@@ -105,8 +119,8 @@ impl<'s> Room<'s> {
 
     /// How often each part was made: once, or never.
     pub fn built(&self) -> Built {
-        let [visibility, lamps] =
-            [0, 1].map(|k: usize| self.built[k].load(Ordering::Relaxed));
-        Built { visibility, lamps }
+        let [visibility, solids, lamps] =
+            [0, 1, 2].map(|k: usize| self.built[k].load(Ordering::Relaxed));
+        Built { visibility, solids, lamps }
     }
 }

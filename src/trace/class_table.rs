@@ -57,7 +57,12 @@ impl ByClass {
     ) -> ByClass {
         // What the eye sees of a field: straight, and by way of what shines.
         let seen = |field: &Radiosities| {
-            let all = TwoPass::of(scene, &field.mesh, &field.radiosity, *options);
+            let all = TwoPass::showing(
+                &Room::of(scene),
+                &field.mesh,
+                &field.radiosity,
+                *options,
+            );
             let all = all.picture(shot, progress);
             let straight = shot.smooth(&field.mesh, &field.radiosity);
             let mirrored = sum(&[(1.0, &all.picture), (-1.0, &straight)]);
@@ -187,6 +192,6 @@ fn sky_seen(scene: &Scene, shot: &Shot) -> Picture {
     let scene = Scene { materials, ..scene.clone() };
     let mesh = Mesh::whole(&scene);
     let dark = vec![Rgb::ZERO; mesh.vertices.len()];
-    let eye = TwoPass::of(&scene, &mesh, &dark, Options::default());
+    let eye = TwoPass::showing(&Room::of(&scene), &mesh, &dark, Options::default());
     eye.picture(shot, &|_, _, _| ()).picture
 }

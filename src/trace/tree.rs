@@ -3,10 +3,12 @@
 use crate::geometry::{Ray, Rgb};
 use crate::material::Material;
 use crate::random::Stream;
+use crate::room::Room;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 use crate::ways::{Media, Meeting, Solids, ways};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// How far rays are followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,8 +92,8 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 #[derive(Debug)]
 pub(super) struct Tree<'s> {
     pub scene: &'s Scene,
-    pub visibility: Visibility,
-    pub solids: Solids,
+    pub visibility: Arc<Visibility>,
+    pub solids: Arc<Solids>,
     pub limits: Limits,
 }
 
@@ -100,9 +102,9 @@ pub(super) struct Tree<'s> {
 pub(super) type Shade<'a> = &'a dyn Fn(&Meeting, &Journey, &mut Tally) -> Rgb;
 
 impl<'s> Tree<'s> {
-    pub(super) fn of(scene: &'s Scene, limits: Limits) -> Tree<'s> {
-        let visibility = Visibility::new(scene.surfaces.iter().map(|s| &s.polygon));
-        Tree { scene, visibility, solids: Solids::of(scene), limits }
+    pub(super) fn of(room: &Room<'s>, limits: Limits) -> Tree<'s> {
+        let (visibility, solids) = (room.visibility().clone(), room.solids().clone());
+        Tree { scene: room.scene, visibility, solids, limits }
     }
 
     pub(super) fn material(&self, surface: u32) -> &'s Material {

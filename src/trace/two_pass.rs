@@ -6,13 +6,15 @@ use super::gloss::{Gloss, Glossy};
 use super::lamps::{Lamps, Panes};
 use super::locate::Locate;
 use super::tree::{Journey, Limits, Tally, Tree};
+use crate::field::Field;
 use crate::film::Shot;
 use crate::geometry::{Ray, Rgb};
 use crate::mesh::Mesh;
-use crate::scene::Scene;
+use crate::room::Room;
 use crate::ways::Meeting;
 use crate::work::Progress;
 use glam::DVec3;
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// How the second pass works.
@@ -42,27 +44,47 @@ pub struct TwoPass<'s> {
     tree: Tree<'s>,
     mesh: &'s Mesh,
     /// `B`, W/m², per vertex of the mesh.
-    radiosity: &'s [Rgb],
+    radiosity: Cow<'s, [Rgb]>,
     locate: Locate,
     lamps: Lamps,
     options: Options,
 }
 
 impl<'s> TwoPass<'s> {
-    /// Of a scene whose diffuse light was found: `radiosity` is `B`, W/m², of each vertex
-    /// of `mesh`, with the surfaces' own emission.
-    pub fn of(
-        scene: &'s Scene,
+    /// Of a room whose diffuse light was found.
+    pub fn of<'r: 's>(
+        room: &Room<'r>,
+        field: &'s Field,
+        options: Options,
+    ) -> TwoPass<'s> {
+        let radiosity = Cow::Owned(field.vertex_radiosity(room.scene));
+        TwoPass::with(room, &field.mesh, radiosity, options)
+    }
+
+    /// Of a room on which this light is shown: `radiosity` is `B`, W/m², of each vertex of
+    /// `mesh`, with the surfaces' own emission.
+    pub fn showing<'r: 's>(
+        room: &Room<'r>,
         mesh: &'s Mesh,
         radiosity: &'s [Rgb],
         options: Options,
     ) -> TwoPass<'s> {
+        TwoPass::with(room, mesh, Cow::Borrowed(radiosity), options)
+    }
+
+    fn with<'r: 's>(
+        room: &Room<'r>,
+        mesh: &'s Mesh,
+        radiosity: Cow<'s, [Rgb]>,
+        options: Options,
+    ) -> TwoPass<'s> {
+        let scene = room.scene;
         assert_eq!(radiosity.len(), mesh.vertices.len(), "one B for each vertex");
         let asks = |m: &crate::material::Material| {
             options.gather > 0 || m.shine().gloss().is_some()
         };
         let lamps = Lamps::of(scene, Panes::Block, asks);
-        let (tree, locate) = (Tree::of(scene, options.limits), Locate::of(scene, mesh));
+        let (tree, locate) = (Tree::of(room, options.limits), Locate::of(scene, mesh));
         TwoPass { tree, mesh, radiosity, locate, lamps, options }
     }
 
@@ -76,7 +98,7 @@ impl<'s> TwoPass<'s> {
         let radiance = |first: &First, tally: &mut Tally| match first {
             First::Element(element, at) if self.is_stored(at) => {
                 let element = &self.mesh.elements[*element as usize];
-                self.mesh.value_at(element, at.point, self.radiosity) / PI
+                self.mesh.value_at(element, at.point, &self.radiosity) / PI
             }
             other => followed(&self.tree, other, tally, &|at, journey, tally| {
                 self.shade(at, journey, tally)
@@ -121,7 +143,7 @@ impl<'s> TwoPass<'s> {
         let element = self.locate.element(self.mesh, at.surface, at.point);
         element.map_or(Rgb::ZERO, |id| {
             let element = self.mesh.element(id);
-            self.mesh.value_at(element, at.point, self.radiosity) / PI
+            self.mesh.value_at(element, at.point, &self.radiosity) / PI
         })
     }
     // ANCHOR_END: stored

@@ -7,7 +7,7 @@ use super::tree::{Limits, Tally, Tree};
 use crate::film::Shot;
 use crate::geometry::{Polygon, Ray, Rgb};
 use crate::mesh::Mesh;
-use crate::scene::Scene;
+use crate::room::Room;
 use crate::visibility::{Hit, Visibility};
 use crate::ways::{Media, Meeting, straight};
 use crate::work::Progress;
@@ -36,7 +36,8 @@ pub struct Whitted<'s> {
 
 impl<'s> Whitted<'s> {
     /// Of a scene.
-    pub fn of(scene: &'s Scene, limits: Limits) -> Whitted<'s> {
+    pub fn of(room: &Room<'s>, limits: Limits) -> Whitted<'s> {
+        let scene = room.scene;
         let is_pane = |k: &u32| {
             let surface = &scene.surfaces[*k as usize];
             scene.material(surface).shine().is_pane()
@@ -47,7 +48,7 @@ impl<'s> Whitted<'s> {
         let panes = Visibility::new(of_pane.iter().map(polygon));
         let mesh = Mesh::whole(scene);
         let lamps = Lamps::of(scene, Panes::Pass, |_| true);
-        let tree = Tree::of(scene, limits);
+        let tree = Tree::of(room, limits);
         Whitted { tree, mesh, lamps, panes, of_pane, ambient: Rgb::ZERO }
     }
 

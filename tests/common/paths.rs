@@ -4,6 +4,7 @@ use super::rooms::{box_walls, moved};
 use glam::{DVec3, dvec3};
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::material::{Coefficients, Material, Shine};
+use radiosity::room::Room;
 use radiosity::scene::{Camera, Face, MaterialId, Scene};
 use radiosity::trace::PathTracer;
 use std::f64::consts::{PI, TAU};
@@ -117,6 +118,6 @@ pub fn by_chance<S: std::fmt::Display>(all: &[(S, f64, f64, f64)]) {
 
 /// Irradiance (red) at a point on the front of a surface: its mean and standard error.
 pub fn irradiance(scene: &Scene, surface: u32, x: DVec3, samples: usize) -> (f64, f64) {
-    let found = PathTracer::of(scene).irradiance(surface, x, samples, 1);
+    let found = PathTracer::of(&Room::of(scene)).irradiance(surface, x, samples, 1);
     (found.mean.x, found.error.x)
 }

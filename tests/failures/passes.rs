@@ -10,6 +10,7 @@ use radiosity::form_factor::analytic::Analytic;
 use radiosity::geometry::{Ray, Rgb};
 use radiosity::material::Coefficients;
 use radiosity::mesh::Mesh;
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solve::{Enclosure, GaussSeidel};
 use radiosity::trace::{Along, Limits, Options, TwoPass, Whitted};
@@ -86,7 +87,7 @@ fn of_two_passes(share: f64) -> f64 {
     let mesh = Mesh::whole(&scene);
     let b = 0.5 * PI * factor(&world, DVec3::ZERO, &spot(), &lamp()).x;
     let corners = vec![Rgb::splat(b); mesh.vertices.len()];
-    let two = TwoPass::of(&scene, &mesh, &corners, Options::default());
+    let two = TwoPass::showing(&Room::of(&scene), &mesh, &corners, Options::default());
     2.0 * two.along(&look()).radiance.x
 }
 
@@ -125,7 +126,7 @@ pub fn lost_light() -> Sweep {
     let lacks = |got: f64, k: f64| 100.0 * (1.0 - got / (straight + k * mirrored));
     let classical = |k: f64| {
         let scene = beside_a_mirror(k);
-        let whitted = Whitted::of(&scene, Limits::default());
+        let whitted = Whitted::of(&Room::of(&scene), Limits::default());
         2.0 * whitted.along(&look()).radiance.x
     };
     Sweep {
@@ -192,7 +193,7 @@ pub fn hall(r: f64, depth: u32) -> Along {
     let glow = vec![Rgb::splat(PI); mesh.vertices.len()];
     let limits = Limits { depth, weight: 0.0 };
     let options = Options { limits, ..Options::default() };
-    TwoPass::of(&scene, &mesh, &glow, options).along(&between())
+    TwoPass::showing(&Room::of(&scene), &mesh, &glow, options).along(&between())
 }
 
 /// Row 73: what is missing of a hall of mirrors.

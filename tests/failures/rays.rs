@@ -9,6 +9,7 @@ use radiosity::material::optics::{fresnel, refract};
 use radiosity::material::{Coefficients, Material};
 use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::built_in;
 use radiosity::solve::Enclosure;
 use radiosity::trace::{Cone, PathTracer, Strategy};
@@ -232,7 +233,7 @@ pub fn sparks() -> Sweep {
         let wall = rectangle(DVec3::ZERO, DVec3::Y, DVec3::Z);
         let floor = rectangle(DVec3::ZERO, DVec3::X, DVec3::Y);
         let scene = shiny([(wall, dull(1.0, 0.0)), (floor, dull(0.0, 0.5))]);
-        let tracer = PathTracer::of(&scene).by(Strategy::Both);
+        let tracer = PathTracer::of(&Room::of(&scene)).by(Strategy::Both);
         let mut random = Stream::named(72, &[(1e6 * d) as u64]);
         let origin = dvec3(0.9, 0.5, 0.5);
         let direction = (dvec3(d, 0.5, 0.0) - origin).normalize();

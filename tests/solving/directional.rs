@@ -8,6 +8,7 @@ use radiosity::material::{Brdf, Coefficients, Lobe, Material, Shine};
 use radiosity::mesh::{Element, ElementId, Mesh};
 use radiosity::radiometry::cosine_direction;
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::{Face, MaterialId, Scene};
 use radiosity::solve::{Enclosure, GaussSeidel, Solver};
 use radiosity::trace::PathTracer;
@@ -199,7 +200,7 @@ fn look_at(x: DVec3, wo: DVec3) -> Ray {
 /// What eyes see of the floor by so many paths each; the root mean square of the radiance,
 /// and that of its standard error.
 fn looks(scene: &Scene, paths: usize) -> (Vec<Look>, f64, f64) {
-    let tracer = PathTracer::of(scene);
+    let tracer = PathTracer::of(&Room::of(scene));
     let places = Stream::named(5, &[]).points(60).collect::<Vec<[f64; 4]>>();
     let (mut norm, mut noise) = (0.0, 0.0);
     let look = |(k, &[a, b, c, d]): (usize, &[f64; 4])| {
@@ -222,7 +223,7 @@ fn looks(scene: &Scene, paths: usize) -> (Vec<Look>, f64, f64) {
 
 /// The power that the floor sends, by paths from everywhere to everywhere; to 0.5 %.
 fn sent_by_the_floor(scene: &Scene) -> Rgb {
-    let tracer = PathTracer::of(scene);
+    let tracer = PathTracer::of(&Room::of(scene));
     let mut random = Stream::named(8, &[]);
     const PATHS: usize = 40_000;
     let places = Stream::named(7, &[]).points(PATHS);

@@ -11,6 +11,7 @@ use glam::{DVec3, dvec3};
 use radiosity::geometry::{Polygon, Ray, Rgb};
 use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::Scene;
 use radiosity::trace::{Class, Light, Limits, Options, PathTracer, TwoPass, Whitted};
 use std::f64::consts::PI;
@@ -52,12 +53,13 @@ fn look_at(x: DVec3) -> Ray {
 #[test]
 fn rows_64_and_65_a_mirrored_lamp_lost_or_twice() {
     let (scene, x, straight, mirrored) = floor_lamp_and_mirror();
-    let seen = Whitted::of(&scene, Limits::default()).along(&look_at(x)).radiance;
+    let seen =
+        Whitted::of(&Room::of(&scene), Limits::default()).along(&look_at(x)).radiance;
     let right = RHO * (straight + mirrored) / PI;
     let lost = right - seen.x;
     assert!((lost - RHO * mirrored / PI).abs() < 1e-9, "{lost}");
 
-    let tracer = PathTracer::of(&scene);
+    let tracer = PathTracer::of(&Room::of(&scene));
     let mut random = Stream::named(65, &[]);
     let (mut sums, n) = ([(0.0, 0.0); 2], 200_000);
     for _ in 0..n {
@@ -117,7 +119,7 @@ fn row_66_plain_radiosity_takes_mirrors_for_black() {
             plain[corner.0 as usize] = Rgb::splat(of(k));
         }
     }
-    let second = TwoPass::of(&scene, &mesh, &plain, Options::default());
+    let second = TwoPass::showing(&Room::of(&scene), &mesh, &plain, Options::default());
     let seen = second.along(&look_at(x)).radiance;
     assert!((seen.x - RHO * straight / PI).abs() < 1e-12, "{seen}");
 
@@ -152,7 +154,7 @@ fn row_73_recursion_is_cut_at_its_depth() {
         );
 
         let (scene, ray) = (hall_of(r), between());
-        let tracer = PathTracer::of(&scene);
+        let tracer = PathTracer::of(&Room::of(&scene));
         let mut random = Stream::named(73, &[u64::from(depth)]);
         let n = 20_000;
         let all: Vec<f64> =

@@ -13,6 +13,7 @@ use radiosity::material::optics::fresnel;
 use radiosity::material::{Coefficients, Material, Shine};
 use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solve::Enclosure;
 use radiosity::trace::{Cone, Gloss, LobeAs, Options, PathTracer, Strategy, TwoPass};
@@ -129,7 +130,10 @@ fn row_70_the_noise_of_gloss_falls_with_the_rays() {
         let of = |seed: u64| {
             let gloss = Gloss { lobe: LobeAs::Stack(4), rays };
             let options = Options { gloss, seed, ..Options::default() };
-            TwoPass::of(&scene, &mesh, &b, options).along(&ray).radiance.x
+            TwoPass::showing(&Room::of(&scene), &mesh, &b, options)
+                .along(&ray)
+                .radiance
+                .x
         };
         let runs = if rays > 100 { 10 } else { 300 };
         let all: Vec<f64> = (0..runs).map(of).collect();
@@ -153,7 +157,7 @@ fn block(size: [f64; 3], material: Coefficients) -> Vec<(Polygon, Coefficients)>
 
 /// Radiance (red) of single paths from `eye`, all around.
 fn samples(scene: &Scene, eye: DVec3, count: usize) -> Vec<f64> {
-    let tracer = PathTracer::of(scene);
+    let tracer = PathTracer::of(&Room::of(scene));
     let mut random = Stream::named(71, &[]);
     let mut one = || {
         let (z, phi) = (2.0 * random.next() - 1.0, TAU * random.next());
@@ -237,7 +241,7 @@ fn row_72_corners_make_no_sparks() {
         .map(|(k, wall)| (wall, if k == 0 { dull(PI, 0.0) } else { dull(0.0, 0.7) }));
     let scene = shiny(walls);
     let brightest = |strategy| {
-        let tracer = PathTracer::of(&scene).by(strategy);
+        let tracer = PathTracer::of(&Room::of(&scene)).by(strategy);
         let mut random = Stream::named(72, &[]);
         let mut most = 0.0_f64;
         for _ in 0..100_000 {
@@ -263,7 +267,7 @@ fn row_72_final_gathering_makes_no_sparks() {
     let mesh = Mesh::uniform(&scene, 0.5);
     let b = vec![Rgb::splat(2.0); mesh.vertices.len()];
     let options = Options { gather: 16, ..Options::default() };
-    let two = TwoPass::of(&scene, &mesh, &b, options);
+    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, options);
     let right = 2.0 / std::f64::consts::PI;
     for off in [0.3, 1e-3, 1e-6] {
         let corner = dvec3(off, off, 0.0);

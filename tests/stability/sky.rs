@@ -9,6 +9,7 @@ use crate::failures::skies::{
 use glam::{DVec3, dvec3};
 use radiosity::geometry::Rgb;
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::sky::{Panorama, Sky};
 use radiosity::trace::{PathTracer, Strategy};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -196,7 +197,9 @@ fn row_74_planes_see_their_share_of_the_sky() {
         let mut scene = shiny([(plane, dull(0.0, 0.0))]);
         scene.sky = Some(Sky::uniform(Rgb::ONE, DVec3::Z));
         for strategy in strategies {
-            let found = PathTracer::of(&scene).by(strategy).irradiance(0, x, 20_000, 3);
+            let found = PathTracer::of(&Room::of(&scene))
+                .by(strategy)
+                .irradiance(0, x, 20_000, 3);
             let right = PI * (1.0 + cos) / 2.0;
             let name = format!("{tilt}°, {strategy:?}");
             all.push((name, found.mean.x, found.error.x, right));
@@ -222,7 +225,7 @@ fn row_75_paths_find_a_sun_in_one_texel() {
     scene.sky = Some(Sky::panorama(panorama, up));
     let right = scene.sky.as_ref().unwrap().irradiance(up).x;
     let found = |strategy| {
-        let tracer = PathTracer::of(&scene).by(strategy);
+        let tracer = PathTracer::of(&Room::of(&scene)).by(strategy);
         tracer.irradiance(0, dvec3(0.5, 0.0, -0.5), 4096, 75)
     };
     let both = found(Strategy::Both);

@@ -81,7 +81,9 @@ fn both_passes_find_class_by_class_what_paths_find() {
         let how = Smooth.first(&Room::of(scene), 0.02);
         let options = Options::default();
         let ours = classes_of_two_passes(scene, shot, &how, &options, &|_, _, _| ());
-        let paths = PathTracer::of(scene).picture(shot, 256, 1, &|_, _, _| ()).classes;
+        let paths = PathTracer::of(&Room::of(scene))
+            .picture(shot, 256, 1, &|_, _, _| ())
+            .classes;
         let lamps = |c: Class| c.light == Light::Lamp;
         let lit = paths.rows().filter(|row| !lamps(row.class)).map(|row| row.mean);
         let lit: Rgb = lit.sum();

@@ -7,6 +7,7 @@ use radiosity::geometry::{Polygon, Ray, Rgb};
 use radiosity::material::optics::pane as pane_shares;
 use radiosity::material::{Coefficients, Shine};
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::Scene;
 use radiosity::trace::{Limits, PathTracer, Whitted};
 use std::f64::consts::PI;
@@ -25,7 +26,7 @@ fn stacks_of_panes_pass_what_stokes_says() {
         };
         let lamp = rectangle(dvec3(-1.0, -1.0, 2.0), 2.0 * DVec3::Y, 2.0 * DVec3::X);
         let scene = shiny((0..n).map(slab).chain([(lamp, dull(PI, 0.0))]));
-        let tracer = PathTracer::of(&scene);
+        let tracer = PathTracer::of(&Room::of(&scene));
         let ray = Ray { origin: DVec3::ZERO, direction: DVec3::Z };
         let mut random = Stream::named(n as u64, &[]);
         let mean =
@@ -36,7 +37,7 @@ fn stacks_of_panes_pass_what_stokes_says() {
         all.push((n, got, error, right));
         // Rays that are followed to the lamp and no further have one pass, and lack that.
         let limits = Limits { depth: n as u32, weight: 0.0 };
-        let once = Whitted::of(&scene, limits).along(&ray).radiance.x;
+        let once = Whitted::of(&Room::of(&scene), limits).along(&ray).radiance.x;
         let straight = pane_shares(1.0, 1.5).1.powi(n as i32);
         assert!((once - straight).abs() < 1e-12, "{n}: {once}, not {straight}");
         let lacks = 1.0 - once / got;
@@ -69,7 +70,7 @@ fn a_pane_before_a_lamp_lets_its_share_through() {
     let right: f64 = (0..n * n).map(cell).sum();
     use radiosity::trace::Strategy::{Both, Lamps, Lobes};
     let found = [Lamps, Lobes, Both].map(|strategy| {
-        let tracer = PathTracer::of(&scene).by(strategy);
+        let tracer = PathTracer::of(&Room::of(&scene)).by(strategy);
         let found = tracer.irradiance(0, DVec3::ZERO, 100_000, 4);
         (format!("{strategy:?}"), found.mean.x, found.error.x, right)
     });
@@ -91,7 +92,7 @@ fn translucent_sheets_are_the_same_from_both_sides() {
     };
     let below = Ray { origin: dvec3(0.1, 0.1, -1.0), direction: DVec3::Z };
     for scene in [scene(plane.clone()), scene(plane.flipped())] {
-        let tracer = PathTracer::of(&scene);
+        let tracer = PathTracer::of(&Room::of(&scene));
         let mut random = Stream::named(5, &[]);
         let l = (0..2000).map(|_| tracer.radiance(below, &mut random).x);
         // the upper side sees the whole sky, H = π, and radiance is τ H/π
@@ -113,7 +114,7 @@ fn backs_are_black() {
     };
     let seen = |scene: &Scene, z: f64| {
         let mut random = Stream::named(6, &[]);
-        PathTracer::of(scene).radiance(eye(z), &mut random).x
+        PathTracer::of(&Room::of(scene)).radiance(eye(z), &mut random).x
     };
     let silver = shiny(glow().chain([(plane.clone(), mirror(0.9))]));
     assert!((seen(&silver, 1.0) - 0.9).abs() < 1e-12);
@@ -136,7 +137,7 @@ fn gloss_shows_its_albedo() {
         let scene = shiny(glow().chain([(plane, material)]));
         let direction = dvec3((1.0 - slope * slope).sqrt(), 0.0, -slope);
         let ray = Ray { origin: -0.5 * direction / slope, direction };
-        let tracer = PathTracer::of(&scene);
+        let tracer = PathTracer::of(&Room::of(&scene));
         let mut random = Stream::named(7, &[]);
         let all_samples: Vec<f64> =
             (0..20_000).map(|_| tracer.radiance(ray, &mut random).x).collect();
@@ -162,7 +163,7 @@ fn frosted_panes_pass_the_same_both_ways() {
     let lamp = rectangle(dvec3(-0.01, -0.01, 5.0), 0.02 * DVec3::Y, 0.02 * DVec3::X);
     let through = |plane: Polygon| {
         let scene = shiny([(plane, frosted), (lamp.clone(), dull(PI, 0.0))]);
-        let tracer = PathTracer::of(&scene);
+        let tracer = PathTracer::of(&Room::of(&scene));
         let mut random = Stream::named(8, &[]);
         let ray = Ray { origin: dvec3(0.0, 0.0, -5.0), direction: DVec3::Z };
         (0..20_000).map(|_| tracer.radiance(ray, &mut random).x).sum::<f64>() / 2e4

@@ -10,6 +10,7 @@ use radiosity::geometry::{Polygon, Ray, Rgb};
 use radiosity::material::Shine;
 use radiosity::radiometry::cosine_direction;
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::{FaceId, Scene};
 use radiosity::sky::Sky;
 use radiosity::trace::{PathTracer, Strategy};
@@ -46,7 +47,7 @@ fn furnaces_glow_evenly() {
             ("cube", &cube, dvec3(0.3, 0.4, 0.2), 5.0 / PI),
             ("sphere", &ball, dvec3(0.1, 0.2, 0.3), 1.0),
         ] {
-            let tracer = PathTracer::of(scene).by(strategy);
+            let tracer = PathTracer::of(&Room::of(scene)).by(strategy);
             let (got, error) = glance(&tracer, eye, 20_000, 1);
             assert!(error < 0.02 * right, "{name}: {error}");
             all.push((format!("{name}, {strategy:?}"), got, error, right));
@@ -90,7 +91,7 @@ fn light_that_goes_round_is_as_the_table_says() {
             (wall.clone(), dull(number(&case["E"], k), number(&case["rho"], k)))
         });
         let scene = shiny(faces);
-        let tracer = PathTracer::of(&scene);
+        let tracer = PathTracer::of(&Room::of(&scene));
         for (k, wall) in walls.iter().enumerate() {
             let (rho, e) = (number(&case["rho"], k), number(&case["E"], k));
             if rho == 0.0 {
@@ -179,8 +180,11 @@ fn a_mirror_room_is_half_of_the_doubled_room() {
         (wall, dull(e[k], rho[k]))
     }));
     let h = |scene: &Scene, k: u32| {
-        let found =
-            PathTracer::of(scene).face_irradiance(FaceId(k), 40_000, u64::from(k));
+        let found = PathTracer::of(&Room::of(scene)).face_irradiance(
+            FaceId(k),
+            40_000,
+            u64::from(k),
+        );
         (found.mean.x, found.error.x)
     };
     let compare = |k: u32| {
@@ -209,7 +213,8 @@ fn all_strategies_agree() {
     let mut scene = shiny(faces);
     scene.sky = Some(Sky::overcast(Rgb::new(0.5, 0.6, 0.7), DVec3::Z));
     let mut all = vec![];
-    let tracers = STRATEGIES.map(|strategy| PathTracer::of(&scene).by(strategy));
+    let tracers =
+        STRATEGIES.map(|strategy| PathTracer::of(&Room::of(&scene)).by(strategy));
     for k in 0..5 {
         let found =
             tracers.each_ref().map(|t| t.face_irradiance(FaceId(k), 60_000, k.into()));
@@ -226,7 +231,7 @@ fn all_strategies_agree() {
 #[test]
 fn the_errors_told_are_honest() {
     let scene = shiny(box_walls([1.0; 3]).map(|wall| (wall, dull(1.0, 0.5))));
-    let tracer = PathTracer::of(&scene);
+    let tracer = PathTracer::of(&Room::of(&scene));
     let z2 = |seed| {
         let found = tracer.irradiance(0, dvec3(0.0, 0.4, 0.3), 256, seed);
         ((found.mean.x - 2.0) / found.error.x).powi(2)
@@ -240,7 +245,7 @@ fn the_errors_told_are_honest() {
 #[test]
 fn pictures_do_not_depend_on_threads() {
     let scene = shiny(box_walls([1.0; 3]).map(|wall| (wall, dull(1.0, 0.5))));
-    let tracer = PathTracer::of(&scene);
+    let tracer = PathTracer::of(&Room::of(&scene));
     let camera = camera(dvec3(0.5, 0.1, 0.5), dvec3(0.5, 0.9, 0.4), 60.0);
     let shot = radiosity::film::Shot { camera, width: 16, height: 12, samples: 1 };
     let with = |threads: usize| {

@@ -12,6 +12,7 @@ use radiosity::geometry::{Ray, Rgb};
 use radiosity::material::{Coefficients, Shine};
 use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solve::Enclosure;
 use radiosity::trace::{Gloss, Limits, LobeAs, Options, PathTracer, TwoPass, Whitted};
@@ -63,7 +64,7 @@ fn shot(scene: &Scene, size: u32, samples: u32) -> Shot {
 fn the_second_pass_shows_what_paths_find() {
     let scene = still_life();
     let (mesh, b) = solved(&scene);
-    let tracer = PathTracer::of(&scene);
+    let tracer = PathTracer::of(&Room::of(&scene));
     let limits = Limits { depth: 40, weight: 1e-5 };
     let mut all = Vec::new();
     for k in 0..24_u32 {
@@ -77,7 +78,10 @@ fn the_second_pass_shows_what_paths_find() {
         let passes: Vec<f64> = (0..100)
             .map(|seed| {
                 let options = Options { limits, seed, ..Options::default() };
-                TwoPass::of(&scene, &mesh, &b, options).along(&ray).radiance.y
+                TwoPass::showing(&Room::of(&scene), &mesh, &b, options)
+                    .along(&ray)
+                    .radiance
+                    .y
             })
             .collect();
         let of = |all: &[f64]| {
@@ -102,8 +106,9 @@ fn threads_change_nothing() {
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.unwrap().install(|| {
-            let two = TwoPass::of(&scene, &mesh, &b, Options::default());
-            let whitted = Whitted::of(&scene, Limits::default());
+            let two =
+                TwoPass::showing(&Room::of(&scene), &mesh, &b, Options::default());
+            let whitted = Whitted::of(&Room::of(&scene), Limits::default());
             let shot = shot(&scene, 24, 2);
             (two.picture(&shot, &|_, _, _| {}), whitted.picture(&shot, &|_, _, _| {}))
         })
@@ -118,7 +123,7 @@ fn nothing_that_shines_costs_no_second_pass() {
     let mesh = Mesh::uniform(&scene, 0.2);
     let b: Vec<Rgb> = mesh.vertices.iter().map(|v| *v + Rgb::ONE).collect();
     let shot = shot(&scene, 48, 3);
-    let two = TwoPass::of(&scene, &mesh, &b, Options::default());
+    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Options::default());
     let shown = two.picture(&shot, &|_, _, _| {});
     assert_eq!((shown.rays, shown.cut), (0, Rgb::ZERO));
     let stored = shot.smooth(&mesh, &b);
@@ -131,12 +136,12 @@ fn nothing_that_shines_costs_no_second_pass() {
 fn a_still_life() {
     let scene = still_life();
     let (mesh, b) = solved(&scene);
-    let two = TwoPass::of(&scene, &mesh, &b, Options::default());
+    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Options::default());
     let shown = two.picture(&shot(&scene, 64, 3), &|_, _, _| {});
     assert_picture(PICTURES, "trace-two-pass", &shown.picture.display(0.4));
     let one_cone = Gloss { lobe: LobeAs::OneCone(0.9), rays: 8 };
-    let two = TwoPass::of(
-        &scene,
+    let two = TwoPass::showing(
+        &Room::of(&scene),
         &mesh,
         &b,
         Options { gloss: one_cone, ..Options::default() },
@@ -156,7 +161,7 @@ fn a_ball_of_glass() {
     let mut scene = shiny(walls.map(|(k, p)| (p, light(k))).chain(ball));
     scene.camera = camera(dvec3(2.3, 0.1, 2.5), DVec3::splat(2.0), 60.0);
     let (mesh, b) = solved(&scene);
-    let two = TwoPass::of(&scene, &mesh, &b, Options::default());
+    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Options::default());
     let shown = two.picture(&shot(&scene, 64, 3), &|_, _, _| {});
     assert!(shown.cut.max_element() < 0.02, "{}", shown.cut);
     assert_picture(PICTURES, "trace-glass", &shown.picture.display(0.8));
@@ -165,7 +170,7 @@ fn a_ball_of_glass() {
 #[test]
 fn classical_ray_tracing() {
     let scene = built_in("cornell-mirror").unwrap();
-    let whitted = Whitted::of(&scene, Limits::default());
+    let whitted = Whitted::of(&Room::of(&scene), Limits::default());
     let shown = whitted.picture(&shot(&scene, 64, 3), &|_, _, _| {});
     let exposure = shown.picture.auto_exposure();
     assert_picture(PICTURES, "trace-classical", &shown.picture.display(exposure));

@@ -9,6 +9,7 @@ use radiosity::material::optics::{fresnel, pane as pane_shares};
 use radiosity::material::{Coefficients, Shine};
 use radiosity::mesh::{Element, Mesh};
 use radiosity::random::Stream;
+use radiosity::room::Room;
 use radiosity::scene::Scene;
 use radiosity::sky::Sky;
 use radiosity::solve::Enclosure;
@@ -37,7 +38,13 @@ fn field(scene: &Scene, mesh: &Mesh, of: impl Fn(DVec3) -> Rgb) -> Vec<Rgb> {
 fn along(scene: &Scene, limits: Limits, ray: &Ray) -> Along {
     let mesh = Mesh::whole(scene);
     let b = mesh.vertex_values(&Enclosure::of(scene, &mesh).emission);
-    TwoPass::of(scene, &mesh, &b, Options { limits, ..Options::default() }).along(ray)
+    TwoPass::showing(
+        &Room::of(scene),
+        &mesh,
+        &b,
+        Options { limits, ..Options::default() },
+    )
+    .along(ray)
 }
 
 fn towards(origin: DVec3, target: DVec3) -> Ray {
@@ -72,8 +79,9 @@ fn a_mirror_doubles_the_room() {
     let fields =
         [field(&with_mirror, &meshes[0], light), field(&doubled, &meshes[1], light)];
     let options = Options { limits: FAR, ..Options::default() };
-    let one = TwoPass::of(&with_mirror, &meshes[0], &fields[0], options);
-    let two = TwoPass::of(&doubled, &meshes[1], &fields[1], options);
+    let one =
+        TwoPass::showing(&Room::of(&with_mirror), &meshes[0], &fields[0], options);
+    let two = TwoPass::showing(&Room::of(&doubled), &meshes[1], &fields[1], options);
     let eye = dvec3(0.6, 0.35, 0.45);
     let mut through = 0;
     for direction in directions(2000) {
@@ -94,7 +102,7 @@ fn a_mirror_is_black_from_behind() {
     let floor = rectangle(dvec3(-1.0, -1.0, -1.0), 2.0 * DVec3::X, 2.0 * DVec3::Y);
     let scene =
         shiny([(lamp, dull(PI, 0.0)), (plate, mirror(1.0)), (floor, dull(0.0, 0.5))]);
-    let whitted = Whitted::of(&scene, FAR);
+    let whitted = Whitted::of(&Room::of(&scene), FAR);
     let from = |z: f64, to: f64| towards(dvec3(0.1, 0.2, z), dvec3(0.3, 0.1, to));
     for (ray, right) in [(from(1.0, 0.0), 1.0), (from(-0.5, 0.0), 0.0)] {
         assert_eq!(whitted.along(&ray).radiance.x, right);
@@ -119,7 +127,7 @@ fn light_by_way_of_mirrors_is_missing_from_classical_ray_tracing() {
     let scene =
         shiny([(lamp, dull(e, 0.0)), (wall, mirror(1.0)), (floor, dull(0.0, rho))]);
     let ray = towards(dvec3(0.5, 0.1, 1.0), dvec3(1e-9, 0.0, 0.0));
-    let got = Whitted::of(&scene, FAR).along(&ray).radiance.x;
+    let got = Whitted::of(&Room::of(&scene), FAR).along(&ray).radiance.x;
     let factor = |key: &str| case["expected"][key].as_f64().unwrap();
     let direct = rho * e * factor("F_direct") / PI;
     assert!((got / direct - 1.0).abs() < 1e-8, "{got} {direct}");
@@ -142,8 +150,10 @@ fn a_hall_of_mirrors_is_a_geometric_series() {
         let scene = shiny([(low, shining), (high, shining)]);
         let ray = towards(dvec3(0.0, 0.0, 0.5), dvec3(0.2, 0.1, 1.0));
         let limits = Limits { depth, weight: 0.0 };
-        let found =
-            [along(&scene, limits, &ray), Whitted::of(&scene, limits).along(&ray)];
+        let found = [
+            along(&scene, limits, &ray),
+            Whitted::of(&Room::of(&scene), limits).along(&ray),
+        ];
         for Along { radiance, rays, cut } in found {
             let right = case["expected"]["radiance_truncated"].as_f64().unwrap();
             assert!((radiance.x - right).abs() < 1e-12, "{radiance} {right}");
@@ -237,8 +247,8 @@ fn a_slab_shifts_a_ray() {
         let mesh = Mesh::whole(&with_slab);
         let b = field(&with_slab, &mesh, ramp);
         let limits = Limits { depth: 2, weight: 0.0 }; // in and out, no more
-        let two = TwoPass::of(
-            &with_slab,
+        let two = TwoPass::showing(
+            &Room::of(&with_slab),
             &mesh,
             &b,
             Options { limits, ..Options::default() },
@@ -298,7 +308,9 @@ fn the_sky_is_seen_through_a_pane() {
     scene.sky = Some(Sky::uniform(light, DVec3::Z));
     let ray = towards(dvec3(0.0, 0.0, -1.0), dvec3(0.3, 0.2, 0.0));
     let t = pane_shares(ray.direction.z, 1.5).1;
-    for found in [along(&scene, FAR, &ray), Whitted::of(&scene, FAR).along(&ray)] {
+    for found in
+        [along(&scene, FAR, &ray), Whitted::of(&Room::of(&scene), FAR).along(&ray)]
+    {
         assert!((found.radiance - t * light).abs().max_element() < 1e-14);
     }
     let past = towards(dvec3(0.0, 0.0, -1.0), dvec3(5.0, 0.0, 0.0));
@@ -313,7 +325,7 @@ fn panes_dim_lamps() {
     let between = moved(&floor, |v| v + DVec3::Z);
     let ray = towards(dvec3(0.5, 0.0, 0.5), dvec3(0.01, 0.02, 0.0));
     let see = |faces: Vec<(Polygon, Coefficients)>| {
-        Whitted::of(&shiny(faces), FAR).along(&ray).radiance.x
+        Whitted::of(&Room::of(&shiny(faces)), FAR).along(&ray).radiance.x
     };
     let bare = vec![(floor, dull(0.0, 0.5)), (lamp, dull(PI, 0.0))];
     let mut paned = bare.clone();
@@ -336,7 +348,10 @@ fn gloss_in_a_glow_shows_its_albedo() {
         let right = 0.7 * lobe.albedo(0.5_f64.sqrt());
         let mean = (0..400).map(|seed| {
             let options = Options { seed, limits: FAR, ..Options::default() };
-            TwoPass::of(&scene, &mesh, &b, options).along(&ray).radiance.x
+            TwoPass::showing(&Room::of(&scene), &mesh, &b, options)
+                .along(&ray)
+                .radiance
+                .x
         });
         // The walls are lamps here, and summed exactly: only the stack's levels vary.
         let got = mean.sum::<f64>() / 400.0;

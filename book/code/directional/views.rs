@@ -5,6 +5,7 @@ use crate::ledger;
 use glam::DVec3;
 use radiosity::directional::Directional;
 use radiosity::film::{Picture, RgbImage};
+use radiosity::room::Room;
 use radiosity::trace::PathTracer;
 use std::sync::OnceLock;
 
@@ -34,7 +35,9 @@ pub fn by_paths() -> &'static Picture {
     static TRUTH: OnceLock<Picture> = OnceLock::new();
     TRUTH.get_or_init(|| {
         let scene = scene();
-        PathTracer::of(&scene).picture(&shot(1), PATHS, 0, &|_, _, _| {}).picture
+        PathTracer::of(&Room::of(&scene))
+            .picture(&shot(1), PATHS, 0, &|_, _, _| {})
+            .picture
     })
 }
 

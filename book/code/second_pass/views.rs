@@ -35,7 +35,12 @@ impl Lit {
     /// What its camera sees, by two passes.
     pub fn two_passes(&self, size: u32, options: Options) -> Shown {
         let Solution { field, vertex_radiosity, .. } = &self.solution;
-        let two = TwoPass::of(&self.scene, &field.mesh, vertex_radiosity, options);
+        let two = TwoPass::showing(
+            &Room::of(&self.scene),
+            &field.mesh,
+            vertex_radiosity,
+            options,
+        );
         two.picture(&self.shot(size), &|_, _, _| {})
     }
 
@@ -63,7 +68,7 @@ fn exposure() -> f64 {
 /// Classical ray tracing: mirrors and lamps.
 pub fn classical() -> RgbImage {
     let lit = cornell();
-    let whitted = Whitted::of(&lit.scene, Limits::default());
+    let whitted = Whitted::of(&Room::of(&lit.scene), Limits::default());
     let shown = whitted.picture(&lit.shot(SIZE), &|_, _, _| {});
     shown.picture.display(exposure())
 }

@@ -66,7 +66,8 @@ pub fn picture(kind: Kind) -> RgbImage {
     let scene = scene(kind, 40.0);
     let (camera, width, height) = (scene.camera, 128, 96);
     let shot = Shot { camera, width, height, samples: 1 };
-    let seen = PathTracer::of(&scene).picture(&shot, SAMPLES, 0, &|_, _, _| {});
+    let seen =
+        PathTracer::of(&Room::of(&scene)).picture(&shot, SAMPLES, 0, &|_, _, _| {});
     seen.picture.display(0.035)
 }
 

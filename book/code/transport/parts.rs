@@ -46,7 +46,9 @@ fn by_paths() -> &'static Table {
     PATHS_TABLE.get_or_init(|| {
         let scene = scene();
         let shot = shot(&scene, SMALL);
-        PathTracer::of(&scene).picture(&shot, PATHS, 15, &|_, _, _| {}).classes
+        PathTracer::of(&Room::of(&scene))
+            .picture(&shot, PATHS, 15, &|_, _, _| {})
+            .classes
     })
 }
 

@@ -10,6 +10,7 @@ use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material, Shine};
 use crate::mesh::{ElementId, Mesh};
 use crate::raster::{ItemBuffer, Seen, View as Eye};
+use crate::room::Room;
 use crate::scene::{Camera, Face, MaterialId, Scene};
 use crate::solve::Ledger;
 use crate::trace::{Options, PathTracer, TwoPass};
@@ -72,7 +73,7 @@ pub fn run(
     bench: &Bench,
 ) -> Vec<Trial> {
     let scene = scene();
-    let tracer = PathTracer::of(&scene);
+    let tracer = PathTracer::of(&Room::of(&scene));
     let floor: Vec<usize> =
         (0..).zip(floor_pixels(&shot(1))).filter(|p| p.1).map(|p| p.0).collect();
     let by_paths = |n, seed| tracer.picture(&shot(1), n, seed, &|_, _, _| {}).picture;
@@ -129,7 +130,12 @@ fn by_bins(edge: f64, side: u32) -> (Answer, Work) {
 fn two_passes(scene: &Scene, tolerance: f64) -> (Answer, Work) {
     let (solution, work) = solved(scene, tolerance);
     let light = &solution.vertex_radiosity;
-    let second = TwoPass::of(scene, &solution.field.mesh, light, Options::default());
+    let second = TwoPass::showing(
+        &Room::of(scene),
+        &solution.field.mesh,
+        light,
+        Options::default(),
+    );
     let shown = second.picture(&shot(3), &|_, _, _| {});
     let Ledger { imbalance, emitted, .. } = solution.field.ledger;
     let energy = (imbalance / emitted).abs().max_element();

@@ -100,7 +100,7 @@ impl Look {
     fn both(&self, tolerance: f64, options: Options) -> (Picture, Work) {
         let (solution, work) = solved(&self.scene, tolerance);
         let (mesh, light) = (&solution.field.mesh, &solution.vertex_radiosity);
-        let two = TwoPass::of(&self.scene, mesh, light, options);
+        let two = TwoPass::showing(&Room::of(&self.scene), mesh, light, options);
         let shown = two.picture(&self.shot, &|_, _, _| {});
         (shown.picture, Work { rays: shown.rays, ..work })
     }
@@ -109,7 +109,7 @@ impl Look {
     pub fn ray_tracing(&self, depths: &[f64]) -> Method<'_, Picture> {
         Method::new("ray tracing", depths, |depth, _| {
             let limits = Limits { depth: depth as u32, ..Limits::default() };
-            let tracer = Whitted::of(&self.scene, limits);
+            let tracer = Whitted::of(&Room::of(&self.scene), limits);
             let mut work = Work::default();
             let picture = self.each(|ray, _| {
                 let along = tracer.along(&ray);
@@ -128,7 +128,7 @@ impl Look {
         samples: &[f64],
     ) -> Method<'_, Picture> {
         Method::random(name, samples, move |samples, seed| {
-            let tracer = PathTracer::of(&self.scene).by(strategy);
+            let tracer = PathTracer::of(&Room::of(&self.scene)).by(strategy);
             let picture = self.each(|ray, k| {
                 let mut random = Stream::named(seed, &[k as u64, samples as u64]);
                 let path = |_| tracer.radiance(ray, &mut random);

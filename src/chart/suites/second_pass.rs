@@ -9,6 +9,7 @@ use crate::geometry::Polygon;
 use crate::material::{Lobe, Shine};
 use crate::random::Stream;
 use crate::raster::Seen;
+use crate::room::Room;
 use crate::scene::built_in;
 use crate::trace::{Cone, Gloss, Limits, LobeAs, Options, Strategy, TwoPass};
 use glam::{DVec3, dvec2, dvec3};
@@ -102,7 +103,7 @@ pub fn gloss(size: u32, rays: usize, bench: &Bench) -> Vec<Trial> {
         // None may be cut because it is one of many.
         let limits = Limits { weight: 0.0, ..Limits::default() };
         let options = Options { gloss, seed, limits, ..Options::default() };
-        let two = TwoPass::of(&scene, mesh, light, options);
+        let two = TwoPass::showing(&Room::of(&scene), mesh, light, options);
         let shown = two.picture(&shot, &|_, _, _| {});
         (shown.picture, Work { rays: shown.rays, ..Work::default() })
     };

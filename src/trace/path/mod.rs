@@ -27,12 +27,14 @@ use super::classes::{Class, Word};
 use crate::geometry::{Frame, Ray, Rgb};
 use crate::material::Lobe;
 use crate::random::Stream;
+use crate::room::Room;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 use crate::ways::{Event, Letter, Media, Meeting, Solids, Way, choose, straight, ways};
 use glam::{DVec3, dvec2};
 use lamps::{Lamps, Light};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// How lamps are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,8 +52,8 @@ pub enum Strategy {
 #[derive(Debug)]
 pub struct PathTracer<'s> {
     scene: &'s Scene,
-    visibility: Visibility,
-    solids: Solids,
+    visibility: Arc<Visibility>,
+    solids: Arc<Solids>,
     lamps: Lamps,
     strategy: Strategy,
 }
@@ -96,12 +98,12 @@ const LONG: u32 = 32;
 
 impl<'s> PathTracer<'s> {
     /// Makes a scene ready.
-    pub fn of(scene: &'s Scene) -> PathTracer<'s> {
+    pub fn of(room: &Room<'s>) -> PathTracer<'s> {
         PathTracer {
-            scene,
-            visibility: Visibility::new(scene.surfaces.iter().map(|s| &s.polygon)),
-            solids: Solids::of(scene),
-            lamps: Lamps::of(scene),
+            scene: room.scene,
+            visibility: room.visibility().clone(),
+            solids: room.solids().clone(),
+            lamps: Lamps::of(room.scene),
             strategy: Strategy::Both,
         }
     }

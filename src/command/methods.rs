@@ -11,13 +11,13 @@ use super::output::{Refusal, Terminal};
 use super::report::rgb;
 use super::solve::{Way, solved};
 use clap::ValueEnum;
-use radiosity::film::{Picture, Shot};
+use radiosity::film::{Picture, Shot, luminance};
 use radiosity::geometry::Rgb;
 use radiosity::room::Room;
 use radiosity::scene::Scene;
 use radiosity::sky::Sky;
 use radiosity::solution::Solution;
-use radiosity::trace::{Limits, Options, PathTracer, Table, TwoPass, Whitted};
+use radiosity::trace::{Limits, Options, PathTracer, Row, Table, TwoPass, Whitted};
 use serde_json::{Value, json};
 
 /// How light is followed.
@@ -97,17 +97,30 @@ pub struct Made {
     pub error: Option<Vec<Rgb>>,
 }
 
+impl Made {
+    /// A picture of which there is no more to say.
+    pub fn of(picture: Picture) -> Made {
+        Made { picture, rays: None, error: None }
+    }
+}
+
+/// What is drawn of a scene, and how.
+pub struct Shown {
+    pub method: Method,
+    pub shot: Shot,
+    /// Samples in a pixel.
+    pub samples: usize,
+    pub seed: u64,
+}
+
 /// Makes the picture; `solution` is there if the method solves.
 pub fn make(
-    method: Method,
     room: &Room,
     solution: Option<&Solution>,
-    (shot, samples): (&Shot, usize),
-    seed: u64,
+    &Shown { method, ref shot, samples, seed }: &Shown,
     terminal: &Terminal,
 ) -> Made {
     let progress = |what: &'static str, done, all| terminal.progress(what, done, all);
-    let plain = |picture| Made { picture, rays: None, error: None };
     let shown = |shown: radiosity::trace::Shown| Made {
         picture: shown.picture,
         rays: Some(shown.rays),
@@ -121,7 +134,7 @@ pub fn make(
         }
         (_, Some(Solution { field, vertex_radiosity, .. })) => {
             terminal.progress("drawing", 0, 1);
-            plain(shot.smooth(&field.mesh, vertex_radiosity))
+            Made::of(shot.smooth(&field.mesh, vertex_radiosity))
         }
         (Method::PathTrace, None) => {
             let traced = PathTracer::of(room).picture(shot, samples, seed, &progress);
@@ -155,7 +168,7 @@ const CLASS_PATHS: usize = 32;
 
 /// Which light is whose: the mean radiance of a small version of the picture by classes of
 /// paths, measured by random ones.
-pub fn classes(scene: &Scene, shot: &Shot, seed: u64) -> Table {
+pub fn classes(scene: &Scene, &Shown { ref shot, seed, .. }: &Shown) -> Table {
     let scale = f64::from(CLASS_PIXELS) / f64::from(shot.width.max(shot.height));
     let small = |pixels: u32| ((f64::from(pixels) * scale) as u32).max(1);
     let (width, height) = (small(shot.width), small(shot.height));
@@ -167,7 +180,7 @@ pub fn classes(scene: &Scene, shot: &Shot, seed: u64) -> Table {
 
 /// The table as `--json` has it: mean radiance over the picture, W/(m² sr).
 pub fn classes_json(table: &Table) -> Value {
-    let row = |row: radiosity::trace::Row| {
+    let row = |row: Row| {
         json!({
             "paths": row.class.word(), "what": row.class.name(),
             "owner": row.class.owner().name(),
@@ -175,4 +188,15 @@ pub fn classes_json(table: &Table) -> Value {
         })
     };
     table.rows().map(row).collect()
+}
+
+/// The same for people, channels as one luminance, classes without any light left out.
+pub fn classes_text(table: &Table) -> String {
+    let mut text = String::from("whose light it shows, mean radiance in W/(m² sr):\n");
+    for Row { class, mean, error } in table.rows().filter(|row| row.mean != Rgb::ZERO) {
+        let (mean, error) = (luminance(mean), luminance(error));
+        let (word, name, owner) = (class.word(), class.name(), class.owner().name());
+        text += &format!("{word:<8}{mean:>10.4} ± {error:<10.4}{name}, {owner}\n");
+    }
+    text
 }

@@ -21,6 +21,7 @@ mod scenes;
 mod sky;
 mod solve;
 mod tables;
+mod told;
 mod values;
 
 use clap::{Args, Parser, Subcommand};

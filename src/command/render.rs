@@ -1,21 +1,20 @@
 //! `radiosity render`: a solved scene as a camera sees it.
 
-use super::methods::{self, Made, Method};
+use super::methods::{self, Made, Method, Shown};
 use super::output::{Refusal, Terminal, check_writable, extension, write};
-use super::report;
 use super::sky::Lit;
-use super::solve::{FactorMethod, How, SolverMethod};
+use super::solve::{FactorMethod, How, SolverMethod, Way};
+use super::told::Told;
 use super::values::{self, Size};
 use clap::{Args, ValueEnum};
 use radiosity::certificate::{Judged, Sampling, audit};
-use radiosity::film::{FalseColour, Format, Picture, Shot, luminance, png};
+use radiosity::film::{FalseColour, Format, Picture, Shot, png};
 use radiosity::geometry::Rgb;
 use radiosity::glam::DVec3;
 use radiosity::mesh::ElementId;
 use radiosity::room::Room;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solution::Solution;
-use serde_json::json;
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -30,13 +29,14 @@ use std::time::Instant;
   radiosity render room.obj -o room.png --sky overcast:30 --two-sided
   radiosity render cornell-mirror -o true.exr --method path-trace --samples 256
   radiosity render cornell -o lux.png --view false-color
-  radiosity render cornell -o wrong.png --view error")]
+  radiosity render cornell -o wrong.png --view error
+  radiosity render mirror-room -o mirror.png --classes")]
 pub struct Render {
     #[command(flatten)]
     source: Lit,
     /// Where to write: .png (sRGB), .hdr or .exr (linear radiance, W/(m² sr))
     #[arg(short, long, value_name = "FILE")]
-    output: PathBuf,
+    pub output: PathBuf,
     /// How light is followed [default: two-pass where something shines or a sky does,
     /// else radiosity]
     #[arg(long, value_enum)]
@@ -68,11 +68,15 @@ pub struct Render {
     exposure: Exposure,
     /// What is drawn
     #[arg(long, value_enum, default_value_t = What::Color)]
-    view: What,
+    pub view: What,
     /// The largest relative error of the field asked for, as 0.01 or 1%
     #[arg(long, default_value = "1%", value_parser = values::tolerance)]
     #[arg(allow_hyphen_values = true)]
-    tolerance: f64,
+    pub tolerance: f64,
+    /// Tell whose light the picture shows: its mean radiance by classes of paths, measured
+    /// by random ones after the picture is written
+    #[arg(long)]
+    classes: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -82,7 +86,7 @@ enum Shading {
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum What {
+pub enum What {
     /// As it looks
     Color,
     /// Luminance as colour, on a scale of two decades
@@ -132,16 +136,44 @@ impl Render {
             exposure: Exposure::Auto,
             view: What::Color,
             tolerance: 0.01,
+            classes: false,
         })
     }
 
     /// Solves, draws and writes.
     pub fn run(&self, seed: u64, terminal: &Terminal) -> Result<(), Refusal> {
         let format = self.format()?;
+        let way = self.checked(seed)?;
+        let scene = self.source.load(terminal)?;
+        let shown = self.shown(&scene, seed)?;
+
+        let start = Instant::now();
+        let room = Room::of(&scene);
+        let solved = methods::first_pass(shown.method, &room, &way, terminal)?;
+        let solution = solved.as_ref().map(|(solution, _)| solution);
+        let made = self.made(&room, solution, &shown, terminal);
+        let exposure = match self.exposure {
+            Exposure::Auto => made.picture.auto_exposure(),
+            Exposure::Value(value) => value,
+        };
+        let mut told =
+            Told { shown, solved, made, exposure, seconds: 0.0, classes: None };
+        let bytes = self.encoded(format, &told)?;
+        told.seconds = start.elapsed().as_secs_f64();
+        write(&self.output, &bytes)?;
+        told.classes = self.classes.then(|| methods::classes(&scene, &told.shown));
+        terminal.report(&told.text(self, &scene), || told.json(self))
+    }
+
+    /// Refuses what can be refused before anything is read; else how pass 1 goes.
+    fn checked(&self, seed: u64) -> Result<Way, Refusal> {
         check_writable(&self.output)?;
-        let (width, height) = self.size.checked()?;
+        self.size.checked()?;
         if let Exposure::Value(value) = self.exposure {
             values::positive("--exposure", value)?;
+        }
+        if let Some(method) = self.method {
+            methods::samples(self.samples, method)?;
         }
         let how = How {
             levels: None,
@@ -150,93 +182,37 @@ impl Render {
             samples: None,
             method: SolverMethod::Auto,
         };
-        let way = how.way(seed)?;
-        if let Some(method) = self.method {
-            methods::samples(self.samples, method)?;
-        }
-        let scene = self.source.load(terminal)?;
-        let camera = self.camera(scene.camera)?;
-        let method = self.method_for(&scene)?;
-        let samples = methods::samples(self.samples, method)?;
+        how.way(seed)
+    }
 
-        let start = Instant::now();
-        let room = Room::of(&scene);
-        let solved = methods::first_pass(method, &room, &way, terminal)?;
-        let solution = solved.as_ref().map(|(solution, _)| solution);
+    /// What is to be drawn of `scene`, and how.
+    fn shown(&self, scene: &Scene, seed: u64) -> Result<Shown, Refusal> {
+        let camera = self.camera(scene.camera)?;
+        let (width, height) = self.size.checked()?;
+        let method = self.method_for(scene)?;
+        let samples = methods::samples(self.samples, method)?;
         let side = methods::side(samples) as u32;
         let shot = Shot { camera, width, height, samples: side };
-        let made = match (self.view, self.shading, solution) {
-            (What::Error, _, Some(solution)) => Made {
-                picture: self.errors(&shot, &room, solution, seed),
-                rays: None,
-                error: None,
-            },
-            (_, Shading::Flat, Some(solution)) => Made {
-                picture: shot.flat(&solution.field.mesh, &solution.radiosity),
-                rays: None,
-                error: None,
-            },
-            _ => {
-                methods::make(method, &room, solution, (&shot, samples), seed, terminal)
-            }
-        };
-        let picture = &made.picture;
-        let exposure = match self.exposure {
-            Exposure::Auto => picture.auto_exposure(),
-            Exposure::Value(value) => value,
-        };
-        let bytes = self.encoded(format, &shot, picture, exposure, solution)?;
-        let seconds = start.elapsed().as_secs_f64();
-        write(&self.output, &bytes)?;
+        Ok(Shown { method, shot, samples, seed })
+    }
 
-        let noise = made.error.as_ref().map(|error| noise(picture, error));
-        let clamped = picture.clamped_share(exposure);
-        let mut text = match solution {
-            Some(solution) => report::text(&scene, solution, self.tolerance, seconds),
-            None => format!("{}: {seconds:.1} s\n", scene.name),
-        };
-        text += &format!(
-            "picture: {}, {width}x{height}, {}, exposure {exposure:.4}, {} of the pixels \
-             are clamped\n",
-            self.output.display(),
-            method.name(),
-            report::percent(clamped)
-        );
-        if let Some(noise) = noise {
-            let noise = report::percent(noise);
-            text += &format!(
-                "noise: pixels are off by about {noise} of the picture's mean (one \
-                 standard error)\n"
-            );
+    /// The picture.
+    fn made(
+        &self,
+        room: &Room,
+        solution: Option<&Solution>,
+        shown: &Shown,
+        terminal: &Terminal,
+    ) -> Made {
+        match (self.view, self.shading, solution) {
+            (What::Error, _, Some(solution)) => {
+                Made::of(self.errors(shown, room, solution))
+            }
+            (_, Shading::Flat, Some(solution)) => {
+                Made::of(shown.shot.flat(&solution.field.mesh, &solution.radiosity))
+            }
+            _ => methods::make(room, solution, shown, terminal),
         }
-        if self.view == What::Error {
-            let FalseColour { low, high } = FalseColour::ERRORS;
-            text += &format!(
-                "colours: elements off by {} (dark) to {} (bright) of the reflected \
-                 light\n",
-                report::percent(low),
-                report::percent(high)
-            );
-        }
-        terminal.report(&text, || {
-            let mut object = match &solved {
-                Some((solution, plan)) => {
-                    report::json_timed(solution, plan, self.tolerance, seconds)
-                }
-                None => json!({ "seconds": seconds }),
-            };
-            object["file"] = json!(self.output);
-            object["method"] = json!(method.name());
-            object["size"] = json!([width, height]);
-            object["samples"] = json!(samples);
-            object["exposure"] = json!(exposure);
-            object["clamped"] = json!(clamped);
-            object["rays"] = json!(made.rays);
-            object["noise"] = json!(noise);
-            let classes = methods::classes(&scene, &shot, seed);
-            object["paths"] = methods::classes_json(&classes);
-            object
-        })
     }
 
     /// The method asked for, if it can show what is asked for; else the best.
@@ -308,58 +284,38 @@ impl Render {
 
     /// The error of what is shown, flat or smooth, in place of the light; each element
     /// has the error that was measured on it.
-    fn errors(
-        &self,
-        shot: &Shot,
-        room: &Room,
-        solution: &Solution,
-        seed: u64,
-    ) -> Picture {
+    fn errors(&self, shown: &Shown, room: &Room, solution: &Solution) -> Picture {
         let Solution { field, radiosity, vertex_radiosity, .. } = solution;
         let mesh = &field.mesh;
-        let shown = |id: ElementId, x| match self.shading {
+        let seen = |id: ElementId, x| match self.shading {
             Shading::Flat => radiosity[id.0 as usize],
             Shading::Smooth => mesh.value_at(mesh.element(id), x, vertex_radiosity),
         };
-        let usual = Sampling { seed, ..Sampling::default() };
+        let usual = Sampling { seed: shown.seed, ..Sampling::default() };
         let points = usual.points.max(POINTS_ON_AN_ELEMENT * mesh.elements.len());
-        let judged = Judged { mesh, radiosity: &shown };
+        let judged = Judged { mesh, radiosity: &seen };
         let sampling = Sampling { points, ..usual };
         let (visibility, lamps) = (room.visibility(), room.lamps());
         let found = audit(room.scene, visibility, lamps, &judged, sampling);
-        let shown: Vec<Rgb> = found.error.iter().map(|e| Rgb::splat(e * PI)).collect();
-        shot.flat(mesh, &shown)
+        let errors: Vec<Rgb> = found.error.iter().map(|e| Rgb::splat(e * PI)).collect();
+        shown.shot.flat(mesh, &errors)
     }
 
-    fn encoded(
-        &self,
-        format: Format,
-        shot: &Shot,
-        picture: &Picture,
-        exposure: f64,
-        solution: Option<&Solution>,
-    ) -> Result<Vec<u8>, Refusal> {
+    fn encoded(&self, format: Format, told: &Told) -> Result<Vec<u8>, Refusal> {
+        let Told { made: Made { picture, .. }, shown, .. } = told;
         Ok(match self.view {
-            What::Color => picture.encode(format, exposure)?,
+            What::Color => picture.encode(format, told.exposure)?,
             What::FalseColor => png(&FalseColour::of(picture).draw(picture))?,
             What::Error => png(&FalseColour::ERRORS.draw(picture))?,
             What::Mesh => {
-                let picture = picture.display(exposure);
-                match solution {
-                    Some(solution) => {
-                        png(&shot.with_mesh(picture, &solution.field.mesh))?
+                let picture = picture.display(told.exposure);
+                match &told.solved {
+                    Some((Solution { field, .. }, _)) => {
+                        png(&shown.shot.with_mesh(picture, &field.mesh))?
                     }
                     None => png(&picture)?,
                 }
             }
         })
     }
-}
-
-/// The standard error of a pixel, root mean square, relative to the mean luminance.
-fn noise(picture: &Picture, error: &[Rgb]) -> f64 {
-    let mean = picture.pixels.iter().map(|l| luminance(*l)).sum::<f64>();
-    let squares = error.iter().map(|e| luminance(*e).powi(2)).sum::<f64>();
-    let pixels = error.len() as f64;
-    (squares / pixels).sqrt() / (mean / pixels).max(f64::MIN_POSITIVE)
 }

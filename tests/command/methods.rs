@@ -49,12 +49,17 @@ fn every_method_shows_the_light_that_it_follows() {
     }
 }
 
-/// The table of `--json`: each class has an owner, the mirror shows what pass 2 follows.
+/// The table of `--classes`: each class has an owner, the mirror shows what pass 2 follows.
+/// It costs rays of its own, so nothing is traced for it unless it is asked for.
 #[test]
-fn every_picture_tells_whose_light_it_shows() {
+fn a_picture_tells_whose_light_it_shows_when_asked() {
     let folder = Folder::new();
-    let arguments = "render mirror-room -o x.png --size 16x16 --tolerance 30% --json";
-    let json = folder.run(arguments).done().json();
+    let arguments = "render mirror-room -o x.png --size 16x16 --tolerance 30%";
+    let plain = folder.run(&format!("{arguments} --json")).done().json();
+    assert!(!plain.contains_key("paths"));
+    let text = folder.run(&format!("{arguments} --classes")).done().out;
+    assert!(text.contains("whose light it shows") && text.contains("EDS⁺L"), "{text}");
+    let json = folder.run(&format!("{arguments} --classes --json")).done().json();
     let paths = json["paths"].as_array().expect("a table");
     assert_eq!(paths.len(), 10);
     let mean = |word: &str| {
@@ -134,4 +139,17 @@ fn compare_writes_a_page_with_all_that_it_shows() {
     assert_eq!(page.matches("<img").count(), page.matches("alt=\"").count());
     let table = folder.text("out/compare/compare.csv");
     assert_eq!(table.lines().filter(|line| !line.starts_with('#')).count(), 6);
+}
+
+/// Where no chain of reflections is longer, `--levels` asks for no more work.
+#[test]
+fn levels_beyond_the_longest_chain_cost_nothing() {
+    let folder = Folder::new();
+    let solve = |name: &str, levels: u32| {
+        let how = "--method gather --tolerance 50% --quiet";
+        let levels = format!("--levels {levels}");
+        folder.run(&format!("solve mirror-room -o {name} {how} {levels}")).done();
+        folder.read(name)
+    };
+    assert!(solve("a.csv", 4) == solve("b.csv", u32::MAX));
 }

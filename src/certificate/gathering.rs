@@ -84,7 +84,7 @@ impl<'a> Gathering<'a> {
     fn material(&self, piece: u32) -> &Material {
         let element = self.strata.pieces[piece as usize].element;
         let patch = self.mesh.patch_of(&self.mesh.elements[element as usize]);
-        &self.scene.materials[patch.material.0 as usize]
+        &self.scene.materials[patch.material]
     }
 
     fn point(&self, h: usize, k: usize, place: [f64; 2]) -> Point {

@@ -16,7 +16,7 @@ use radiosity::form_factor::FormFactors;
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::cast::Cast;
 use radiosity::form_factor::hemicube::Hemicube;
-use radiosity::glam::DVec3;
+use radiosity::geometry::Polygon;
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::scene::Scene;
 use rayon::prelude::*;
@@ -76,15 +76,6 @@ pub fn is_open(scene: &Scene, seed: u64) -> bool {
         let lost = cast.row(ElementId(i as u32), &mut vec![0.0; n]);
         lost.escaped + lost.absorbed > 0.0
     })
-}
-
-/// A part of a surface.
-type Triangle = [DVec3; 3];
-
-/// A triangle cut along the middles of its edges.
-fn quarters(&[a, b, c]: &Triangle) -> [Triangle; 4] {
-    let (d, e, f) = (a.midpoint(b), b.midpoint(c), c.midpoint(a));
-    [[a, d, f], [d, b, e], [f, e, c], [e, f, d]]
 }
 
 /// An error that the closed forms are known to stay below, relative.
@@ -168,8 +159,9 @@ impl Faces<'_> {
         let mut before = self.hemicubes_at(&triangles, coarse, wanted.seed);
         let mut round = 1;
         loop {
-            let fours =
-                |parts: &Vec<Triangle>| parts.iter().flat_map(quarters).collect();
+            let fours = |parts: &Vec<Polygon>| {
+                parts.iter().flat_map(Polygon::quarters).collect()
+            };
             triangles = triangles.iter().map(fours).collect();
             let rows = self.hemicubes_at(&triangles, Faces::RESOLUTION, wanted.seed);
             let error = largest_difference(&before, &rows).max(cell);
@@ -185,12 +177,13 @@ impl Faces<'_> {
 
     /// Each surface as triangles, none of which another surface stands on, and large
     /// surfaces as more of them.
-    fn triangles(&self) -> Vec<Vec<Triangle>> {
+    fn triangles(&self) -> Vec<Vec<Polygon>> {
         let cells = Mesh::uniform(self.scene, 0.125 * self.scene.diagonal());
         let about_middle = |k: u32| {
             let cell = &cells.elements[k as usize].polygon;
             let middle = cell.centroid();
-            cell.edges().map(move |(a, b)| [a, b, middle])
+            let triangle = move |(a, b)| Polygon::new(vec![a, b, middle]).ok();
+            cell.edges().filter_map(triangle)
         };
         let patches = cells.patches.iter();
         patches.map(|p| p.elements.clone().flat_map(about_middle).collect()).collect()
@@ -201,7 +194,7 @@ impl Faces<'_> {
     /// what its cells cannot resolve averages out.
     fn hemicubes_at(
         &self,
-        triangles: &[Vec<Triangle>],
+        triangles: &[Vec<Polygon>],
         resolution: u32,
         seed: u64,
     ) -> Vec<SparseRow> {
@@ -209,10 +202,9 @@ impl Faces<'_> {
         self.by_rows(|surface, add| {
             let polygon = &self.mesh.elements[surface].polygon;
             let mut seen = vec![0.0; self.mesh.elements.len()];
-            for &[a, b, c] in &triangles[surface] {
-                let area = 0.5 * (b - a).cross(c - a).length();
-                method.at((a + b + c) / 3.0, polygon.normal(), &mut seen);
-                add(&seen, area / polygon.area());
+            for triangle in &triangles[surface] {
+                method.at(triangle.centroid(), polygon.normal(), &mut seen);
+                add(&seen, triangle.area() / polygon.area());
             }
         })
     }

@@ -197,7 +197,7 @@ impl Analytic {
 
     /// The outline of an element.
     pub(super) fn polygon(&self, i: ElementId) -> &Polygon {
-        &self.elements[i.0 as usize]
+        &self.elements[i]
     }
 
     /// What may stand between elements.
@@ -277,8 +277,8 @@ impl Analytic {
     ) -> (f64, f64) {
         let area = self.polygon(i).area().min(self.polygon(j).area());
         let (mut sum, mut off) = (0.0, 0.0);
-        for a in &self.pieces[i.0 as usize] {
-            for b in &self.pieces[j.0 as usize] {
+        for a in &self.pieces[i] {
+            for b in &self.pieces[j] {
                 let Some((a, b)) = facing(a, b) else { continue };
                 let (from, to) = by_shadow(&a, &b, between);
                 // Each pair of pieces may err by its share.
@@ -319,7 +319,8 @@ impl Analytic {
             over(part, n, |x| lambert_visible(x, part.normal(), to, &blockers))
         };
         let coarse = estimate.unwrap_or_else(|| by_points(from, 2));
-        let parts = quarters(from);
+        let parts: Vec<Polygon> =
+            from.halves().flat_map(|half| half.halves()).collect();
         let fine: Vec<f64> = parts.iter().map(|part| by_points(part, 2)).collect();
         let sum = fine.iter().sum::<f64>();
         let change = (coarse - sum).abs();
@@ -352,11 +353,6 @@ fn seen_by_corners(from: &Polygon, to: &Polygon, blockers: &[&Blocker]) -> f64 {
     seen.fold(0.0, f64::max)
 }
 
-/// Cuts a polygon across its middle, twice.
-fn quarters(polygon: &Polygon) -> Vec<Polygon> {
-    polygon.halves().flat_map(|half| half.halves().collect::<Vec<_>>()).collect()
-}
-
 impl FormFactors for Analytic {
     fn len(&self) -> usize {
         self.elements.len()
@@ -366,7 +362,7 @@ impl FormFactors for Analytic {
         let area = self.polygon(from).area();
         row.fill(0.0);
         self.exchanges(from, 0..row.len(), |j, exchange, _| {
-            row[j.0 as usize] = exchange / area;
+            row[j] = exchange / area;
         });
         self.lost(from)
     }

@@ -47,7 +47,7 @@ impl FormFactors for Cast {
     }
 
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
-        let element = &self.elements[from.0 as usize];
+        let element = &self.elements[from];
         let frame = Frame::about(element.normal());
         let share = 1.0 / self.rays as f64;
         let mut lost = Lost::default();

@@ -88,7 +88,7 @@ impl<'m> Hybrid<'m> {
     /// `i`; `None` when the hemicube will do, or when neither sees the other's front.
     pub fn broken(&self, i: ElementId, j: ElementId) -> Option<Assumption> {
         let [a, b] = [i, j].map(|id| &self.mesh.element(id).polygon);
-        let [size_i, size_j] = [i, j].map(|id| self.sizes[id.0 as usize]);
+        let [size_i, size_j] = [i, j].map(|id| self.sizes[id]);
         let ((_, up), (low, down)) = (heights(b, a), heights(a, b));
         if up <= 0.0 || down <= 0.0 {
             return None;

@@ -82,7 +82,7 @@ impl FormFactors for Matrix {
     }
 
     fn row(&self, from: ElementId, row: &mut [f64]) -> Lost {
-        self.rows[from.0 as usize].write(row)
+        self.rows[from].write(row)
     }
 }
 
@@ -112,7 +112,7 @@ impl<'a> Cached<'a> {
     }
 
     fn kept(&self, from: ElementId) -> &Row {
-        self.rows[from.0 as usize].get_or_init(|| {
+        self.rows[from].get_or_init(|| {
             let mut row = vec![0.0; self.method.len()];
             let lost = self.method.row(from, &mut row);
             Row::of(&row, lost)

@@ -15,9 +15,11 @@
 //! Chapter *What radiosity assumes* (L01). Sources: Newell (in Sutherland et al. 1974);
 //! Sutherland & Hodgman 1974 (clipping).
 
+mod indexed;
 mod polygon;
 mod split;
 
+pub(crate) use indexed::indexes_lists;
 pub(crate) use polygon::newell;
 pub use polygon::{Outline, Polygon, PolygonError, clip, clip_into};
 pub use split::{MAX_CORNERS, split};

@@ -214,6 +214,26 @@ impl Polygon {
         [self.clipped(across), self.clipped(across.flipped())].into_iter().flatten()
     }
 
+    /// The four parts of a triangle or quadrilateral, between the middles of its edges; of
+    /// other outlines, one part for each corner.
+    pub fn quarters(&self) -> Vec<Polygon> {
+        let v = self.vertices();
+        let n = v.len();
+        let middle = |k: usize| v[k % n].midpoint(v[(k + 1) % n]);
+        let centre = match v {
+            &[a, b, c, d] => a.midpoint(c).midpoint(b.midpoint(d)),
+            _ => self.centroid(),
+        };
+        let parts: Vec<_> = if n == 3 {
+            let corner = |k| vec![v[k], middle(k), middle(k + 2)];
+            (0..3).map(corner).chain([vec![middle(0), middle(1), middle(2)]]).collect()
+        } else {
+            (0..n).map(|k| vec![middle(k + n - 1), v[k], middle(k), centre]).collect()
+        };
+        let piece = |part| Polygon::piece(part, self.normal);
+        parts.into_iter().filter_map(piece).collect()
+    }
+
     /// The polygon less what `hole` (in the same plane) covers, as convex pieces.
     pub fn without(&self, hole: &Polygon) -> Vec<Polygon> {
         let mut pieces = Vec::new();

@@ -27,8 +27,8 @@ impl Mesh {
     /// Gives T-vertices the values of the edges that they lie on.
     pub fn anchor(&self, of_vertices: &mut [Rgb]) {
         for Anchor { vertex, ends, at } in &self.anchors {
-            let [a, b] = ends.map(|end| of_vertices[end.0 as usize]);
-            of_vertices[vertex.0 as usize] = a.lerp(b, *at);
+            let [a, b] = ends.map(|end| of_vertices[end]);
+            of_vertices[*vertex] = a.lerp(b, *at);
         }
     }
     // ANCHOR_END: anchor
@@ -51,7 +51,7 @@ impl Builder {
     /// different places, the ends of the longer edges keep values of their own.
     pub(super) fn anchors(&self) -> Vec<Anchor> {
         let mesh = self.mesh();
-        let place = |id: VertexId| mesh.vertices[id.0 as usize];
+        let place = |id: VertexId| mesh.vertices[id];
         let mut found: Vec<(f64, Anchor)> = Vec::new();
         for edges in self.free_edges().values() {
             let mut along: Vec<VertexId> = edges.iter().flat_map(|e| e.ends).collect();
@@ -117,7 +117,7 @@ impl Builder {
             .collect();
         free.sort_unstable();
         for (ends, element) in free {
-            let [a, b] = ends.map(|end| mesh.vertices[end.0 as usize] - origin);
+            let [a, b] = ends.map(|end| mesh.vertices[end] - origin);
             let Some(axis) = (b - a).try_normalize() else { continue };
             // Either sense of the line is the same line; nothing is at right angles to
             // this odd direction but by chance.

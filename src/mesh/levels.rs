@@ -54,7 +54,7 @@ impl<'m> TwoLevels<'m> {
 
     /// The patch, as the element of the coarser mesh that it is.
     pub fn patch(&self, id: PatchId) -> &'m Element {
-        &self.coarse.elements[id.0 as usize]
+        &self.coarse.elements[ElementId(id.0)]
     }
 
     /// The elements of a patch.
@@ -110,8 +110,8 @@ mod tests {
     /// come up again.
     #[test]
     fn linear_fields_go_down_and_their_means_come_up() {
-        let scene = built_in("l-room").unwrap();
-        let patches = Mesh::uniform(&scene, 0.3 * scene.diagonal());
+        let scene = built_in("furnace").unwrap();
+        let patches = Mesh::uniform(&scene, 0.4);
         let mut levels = TwoLevels::undivided(&patches);
         for round in 0..3 {
             let count = levels.elements().elements.len();

@@ -41,7 +41,6 @@ pub use ids::{ElementId, PatchId, VertexId};
 pub use interpolate::wachspress;
 pub use levels::TwoLevels;
 pub use place::Place;
-pub use split::quarters;
 
 use crate::geometry::{Polygon, Rgb};
 use crate::material::Material;
@@ -187,17 +186,17 @@ impl Mesh {
 
     /// The element `id`.
     pub fn element(&self, id: ElementId) -> &Element {
-        &self.elements[id.0 as usize]
+        &self.elements[id]
     }
 
     /// The patch that `element` is part of.
     pub fn patch_of(&self, element: &Element) -> &Patch {
-        &self.patches[element.patch.0 as usize]
+        &self.patches[element.patch]
     }
 
     /// What the element is made of.
     pub fn material<'s>(&self, scene: &'s Scene, element: &Element) -> &'s Material {
-        &scene.materials[self.patch_of(element).material.0 as usize]
+        &scene.materials[self.patch_of(element).material]
     }
 
     /// The area of a patch: the sum of its elements', scene units squared.
@@ -220,7 +219,7 @@ impl Mesh {
     /// which is exact on triangles and parallelograms.
     pub fn element_means(&self, of_vertices: &[Rgb]) -> Vec<Rgb> {
         let mean = |e: &Element| {
-            let sum: Rgb = e.corners.iter().map(|c| of_vertices[c.0 as usize]).sum();
+            let sum: Rgb = e.corners.iter().map(|&c| of_vertices[c]).sum();
             sum / e.corners.len() as f64
         };
         self.elements.iter().map(mean).collect()
@@ -234,8 +233,8 @@ impl Mesh {
         let mut sums = vec![(Rgb::ZERO, 0.0); self.vertices.len()];
         for (element, &value) in self.elements.iter().zip(of_elements) {
             let area = element.polygon.area();
-            for corner in &element.corners {
-                let (sum, weight) = &mut sums[corner.0 as usize];
+            for &corner in &element.corners {
+                let (sum, weight) = &mut sums[corner];
                 *sum += area * value;
                 *weight += area;
             }

@@ -25,10 +25,10 @@ impl Mesh {
         for (k, element) in (0u32..).zip(&self.elements) {
             let (v, n) = (element.polygon.vertices(), element.corners.len());
             let middle = element.polygon.centroid();
-            for (j, corner) in element.corners.iter().enumerate() {
+            for (j, &corner) in element.corners.iter().enumerate() {
                 let (before, after) =
                     (v[(j + n - 1) % n] - v[j], v[(j + 1) % n] - v[j]);
-                let (angle, sum, count, any) = &mut around[corner.0 as usize];
+                let (angle, sum, count, any) = &mut around[corner];
                 *angle += before.angle_between(after);
                 *sum += middle;
                 *count += 1.0;
@@ -45,7 +45,7 @@ impl Mesh {
         };
         let mut places: Vec<Option<Place>> =
             self.vertices.iter().zip(&around).map(place).collect();
-        self.t_vertices().for_each(|t| places[t.0 as usize] = None);
+        self.t_vertices().for_each(|t| places[t] = None);
         places
     }
 }

@@ -2,7 +2,6 @@
 
 use super::build::Builder;
 use super::{Element, Mesh};
-use crate::geometry::Polygon;
 
 impl Mesh {
     /// The mesh with the elements that are marked split: triangles and quadrilaterals in
@@ -45,7 +44,7 @@ impl Mesh {
             let ids = patch.elements.start as usize..patch.elements.end as usize;
             let pieces = ids.flat_map(|k| {
                 let polygon = &self.elements[k].polygon;
-                if marked[k] { quarters(polygon) } else { vec![polygon.clone()] }
+                if marked[k] { polygon.quarters() } else { vec![polygon.clone()] }
             });
             builder.add_patch(patch.clone(), pieces);
         }
@@ -70,23 +69,4 @@ impl Builder {
         };
         mesh.elements.iter().map(too_long).collect()
     }
-}
-
-/// The four parts of a triangle or quadrilateral; of other outlines, one for each corner.
-pub fn quarters(polygon: &Polygon) -> Vec<Polygon> {
-    let v = polygon.vertices();
-    let n = v.len();
-    let middle = |k: usize| v[k % n].midpoint(v[(k + 1) % n]);
-    let centre = match v {
-        &[a, b, c, d] => a.midpoint(c).midpoint(b.midpoint(d)),
-        _ => polygon.centroid(),
-    };
-    let parts: Vec<_> = if n == 3 {
-        let corner = |k| vec![v[k], middle(k), middle(k + 2)];
-        (0..3).map(corner).chain([vec![middle(0), middle(1), middle(2)]]).collect()
-    } else {
-        (0..n).map(|k| vec![middle(k + n - 1), v[k], middle(k), centre]).collect()
-    };
-    let normal = polygon.normal();
-    parts.into_iter().filter_map(|part| Polygon::piece(part, normal)).collect()
 }

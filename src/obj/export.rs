@@ -109,7 +109,7 @@ fn obj_text(scene: &Scene, names: &[String], stem: &str) -> String {
     for face in &scene.faces {
         if current != Some(face.material) {
             current = Some(face.material);
-            let _ = writeln!(faces, "usemtl {}", names[face.material.0 as usize]);
+            let _ = writeln!(faces, "usemtl {}", names[face.material]);
         }
         faces += "f";
         for &corner in &face.outline {

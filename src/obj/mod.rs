@@ -154,11 +154,11 @@ pub fn read(
         ));
     }
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let line = |face: crate::scene::FaceId| scan.faces[face.0 as usize].0;
+    let line = |face: crate::scene::FaceId| scan.faces[face].0;
     warnings.extend(solid::warnings(path, &faces, &materials, |k| scan.faces[k].0));
     let (mut scene, repairs) = Scene::assemble(name, materials, faces, scan.camera)
         .map_err(|error| {
-            let (line, text) = &scan.faces[error.face.0 as usize];
+            let (line, text) = &scan.faces[error.face];
             let message = format!("face `{text}` {}", error.reason);
             ObjError::new(path, *line, message)
         })?;

@@ -48,7 +48,7 @@ pub(super) fn warnings(
         } else {
             continue;
         };
-        let name = materials[id.0 as usize].name();
+        let name = materials[id].name();
         let at = at(path, Some(line(k)));
         warnings.push(format!("{at}the solid of `{name}` (illum 6 or 7) {what}"));
     }

@@ -98,7 +98,7 @@ impl Survey {
             found.brightest = found.brightest.max(material.scattered().max_element());
             mean += share * material.scattered();
             let shine = Some(material.shine()).filter(|shine| !shine.is_dull());
-            specular[surface.material.0 as usize] = shine;
+            specular[surface.material] = shine;
         }
         found.mean_reflectance = mean.max_element();
         let bends = |s: &&Shine| matches!(s, Shine::Gloss { .. } | Shine::Glass { .. });

@@ -29,7 +29,7 @@ pub use assemble::{FaceError, Warning};
 pub use builtin::{BuiltIn, BuiltInError, built_in, builtins};
 pub use camera::Camera;
 
-use crate::geometry::{Polygon, bounds};
+use crate::geometry::{Polygon, bounds, indexes_lists};
 use crate::material::Material;
 use crate::sky::Sky;
 use glam::DVec3;
@@ -41,6 +41,8 @@ pub struct FaceId(pub u32);
 /// Which material of [`Scene::materials`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MaterialId(pub u32);
+
+indexes_lists!(FaceId, MaterialId);
 
 /// One `f` of an OBJ file, as it stands there.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,7 +100,7 @@ pub struct Scene {
 impl Scene {
     /// The material of `surface`.
     pub fn material(&self, surface: &Surface) -> &Material {
-        &self.materials[surface.material.0 as usize]
+        &self.materials[surface.material]
     }
 
     /// Area of one side of each face, less what smaller faces cover; in scene units
@@ -106,7 +108,7 @@ impl Scene {
     pub fn face_areas(&self) -> Vec<f64> {
         let mut areas = vec![0.0; self.faces.len()];
         for surface in self.fronts() {
-            areas[surface.face.0 as usize] += surface.polygon.area();
+            areas[surface.face] += surface.polygon.area();
         }
         areas
     }

@@ -26,9 +26,9 @@ pub(super) fn settled(
     // faces with corners in another order are still equal, and the earlier one wins.
     let mut areas = vec![0.0; faces];
     for s in &surfaces {
-        areas[s.face.0 as usize] += s.polygon.area();
+        areas[s.face] += s.polygon.area();
     }
-    let rank = |s: &Surface| (areas[s.face.0 as usize] as f32, s.face.0);
+    let rank = |s: &Surface| (areas[s.face] as f32, s.face.0);
 
     let mut winners = vec![Vec::new(); surfaces.len()];
     for (i, j) in pairs {

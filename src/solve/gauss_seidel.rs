@@ -52,7 +52,7 @@ impl<'a> GaussSeidel<'a> {
     /// `τ H_back` by the newest radiosities.
     fn passed(&self, i: usize) -> Rgb {
         let Some(Some(t)) = self.enclosure.through.get(i) else { return Rgb::ZERO };
-        let row = self.factors.rows()[t.back.0 as usize].factors();
+        let row = self.factors.rows()[t.back].factors();
         t.transmittance * arriving(row, &self.radiosity)
     }
 

@@ -77,9 +77,7 @@ pub struct Through {
 impl Enclosure {
     /// Those of the elements of a mesh.
     pub fn of(scene: &Scene, mesh: &Mesh) -> Enclosure {
-        let material = |e: &crate::mesh::Element| {
-            &scene.materials[mesh.patch_of(e).material.0 as usize]
-        };
+        let material = |e| mesh.material(scene, e);
         Enclosure {
             area: mesh.elements.iter().map(|e| e.polygon.area()).collect(),
             emission: mesh.elements.iter().map(|e| material(e).emission()).collect(),
@@ -97,7 +95,7 @@ impl Enclosure {
     /// `τ_i H_back(i)`, W/m²: what comes through element `i` from its other side.
     pub fn passed(&self, i: usize, irradiance: &[Rgb]) -> Rgb {
         let through = self.through.get(i).copied().flatten();
-        through.map_or(Rgb::ZERO, |t| t.transmittance * irradiance[t.back.0 as usize])
+        through.map_or(Rgb::ZERO, |t| t.transmittance * irradiance[t.back])
     }
     // ANCHOR_END: passed
 

@@ -183,7 +183,7 @@ impl Iterator for Shoot<'_> {
     // ANCHOR: shoot
     fn next(&mut self) -> Option<Step> {
         let from = *self.brightest(1).first()?;
-        Some(self.send(from, self.unshot[from.0 as usize]))
+        Some(self.send(from, self.unshot[from]))
     }
     // ANCHOR_END: shoot
 }

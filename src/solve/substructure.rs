@@ -126,7 +126,7 @@ impl<'a> Substructure<'a> {
             Some(row) => row.clone(),
             None => {
                 let lost = (self.sees)(e, buffer);
-                buffer[e.patch.0 as usize] = 0.0; // what is flat does not see itself
+                buffer[e.patch] = 0.0; // what is flat does not see itself
                 Row::of(buffer, lost)
             }
         };
@@ -161,7 +161,7 @@ impl<'a> Substructure<'a> {
 
     /// The knowns of the patches' equations.
     pub fn patches(&self) -> Enclosure {
-        let material = |p: &Patch| &self.scene.materials[p.material.0 as usize];
+        let material = |p: &Patch| &self.scene.materials[p.material];
         let patches = &self.mesh.patches;
         Enclosure {
             area: patches.iter().map(|p| self.mesh.patch_area(p)).collect(),
@@ -247,7 +247,7 @@ impl Oracle {
         let marked = |(k, e): (usize, &Element)| {
             let (area, rho) = (of.area[k], of.reflectance[k]);
             let much = |rise: Rgb| area * (rise * rise).max_element() / 12.0 > most;
-            let corners = e.corners.iter().map(|v| vertices[v.0 as usize]);
+            let corners = e.corners.iter().map(|&v| vertices[v]);
             area > self.smallest
                 && (much(rise(corners.chain([radiosity[k]])))
                     || much(rho * lamps_rise(e)))

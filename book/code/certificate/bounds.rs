@@ -33,13 +33,13 @@ pub fn cases(reflectance: f64, cells: &[u32]) -> Vec<Case> {
     let fine = Cube::of(reflectance, FINE);
     let case = |&cells: &u32| {
         let cube = Cube::of(reflectance, cells);
-        let field = |id: radiosity::mesh::ElementId, _| cube.radiosity[id.0 as usize];
+        let field = |id: radiosity::mesh::ElementId, _| cube.radiosity[id];
         let judged = Judged { mesh: &cube.mesh, radiosity: &field };
         let room = Room::of(&cube.scene);
         let certificate = audited(&room, &judged, Sampling::default()).certificate;
         let (mut r, mut reflected) = (0.0, 0.0);
         for (id, x) in cube.points(2000) {
-            let e = cube.enclosure.emission[id.0 as usize].x;
+            let e = cube.enclosure.emission[id].x;
             let b = cube.stored(id);
             r += (e + reflectance * cube.irradiance(&cube, id, x) - b).powi(2);
             reflected += (b - e).powi(2);

@@ -47,7 +47,7 @@ impl Cube {
 
     /// What is stored, as a field.
     pub fn stored(&self, id: ElementId) -> f64 {
-        self.radiosity[id.0 as usize].x
+        self.radiosity[id].x
     }
 
     /// Points spread evenly over all elements, so many in all or some more.
@@ -73,10 +73,8 @@ impl Cube {
     pub fn true_error(&self, fine: &Cube) -> f64 {
         let (mut off, mut reflected) = (0.0, 0.0);
         for (id, x) in self.points(4000) {
-            let (e, rho) = (
-                self.enclosure.emission[id.0 as usize].x,
-                self.enclosure.reflectance[id.0 as usize].x,
-            );
+            let (e, rho) =
+                (self.enclosure.emission[id].x, self.enclosure.reflectance[id].x);
             let light = rho * fine.irradiance(self, id, x);
             off += (e + light - self.stored(id)).powi(2);
             reflected += light * light;

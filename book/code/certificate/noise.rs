@@ -33,7 +33,7 @@ pub fn residual(rays: usize) -> Residual {
         let polygon = &cube.mesh.element(id).polygon;
         let frame = Frame::about(polygon.normal());
         let b = cube.stored(id);
-        let e = cube.enclosure.emission[id.0 as usize].x;
+        let e = cube.enclosure.emission[id].x;
         let residual = |h: f64| e + 0.5 * h - b;
         let gather = |set: u64| {
             let mut random = Stream::named(11, &[k as u64, set]);

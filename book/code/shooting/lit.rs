@@ -48,7 +48,7 @@ pub fn counts(error: f64) -> Vec<u32> {
     while room.error(solver.radiosity()) > error
         && let Some(from) = solver.next().and_then(|step| step.shot)
     {
-        counts[from.0 as usize] += 1;
+        counts[from] += 1;
     }
     counts
 }

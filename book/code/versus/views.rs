@@ -30,7 +30,7 @@ pub fn picture(k: usize) -> RgbImage {
     };
     let mesh = patches.mesh();
     let shines = |(e, &h): (_, &Rgb)| {
-        let material = &scene.materials[mesh.patch_of(e).material.0 as usize];
+        let material = mesh.material(&scene, e);
         material.emission() + material.diffuse() * h
     };
     let radiosity: Vec<Rgb> =

@@ -388,10 +388,10 @@ impl Hierarchy {
         let mut sums = vec![(Rgb::ZERO, 0.0); mesh.vertices.len()];
         for (element, &id) in mesh.elements.iter().zip(leaves) {
             let (node, area) = (self.forest.node(id), element.polygon.area());
-            for corner in &element.corners {
-                let step = mesh.vertices[corner.0 as usize] - node.centre;
+            for &corner in &element.corners {
+                let step = mesh.vertices[corner] - node.centre;
                 let arrives = self.forest.irradiance(id) + self.forest.slope(id) * step;
-                let (sum, weight) = &mut sums[corner.0 as usize];
+                let (sum, weight) = &mut sums[corner];
                 *sum += area * value(node, arrives.max(Rgb::ZERO));
                 *weight += area;
             }

@@ -2,7 +2,7 @@
 
 use super::Link;
 use crate::geometry::{Polygon, Rgb};
-use crate::mesh::{Element, Mesh, quarters};
+use crate::mesh::{Element, Mesh};
 use crate::scene::Scene;
 use glam::{DMat3, DVec3};
 use std::ops::Range;
@@ -67,7 +67,7 @@ impl Forest {
         let whole = Mesh::patched(scene, f64::INFINITY);
         let root = |element: &Element| {
             let patch = whole.patch_of(element);
-            let material = &scene.materials[patch.material.0 as usize];
+            let material = &scene.materials[patch.material];
             Node {
                 centre: element.polygon.centroid(),
                 polygon: element.polygon.clone(),
@@ -247,9 +247,9 @@ fn long(polygon: &Polygon) -> Option<usize> {
     }
 }
 
-/// The pieces of a node: two of a long quadrilateral, else [`quarters`].
+/// The pieces of a node: two of a long quadrilateral, else [`Polygon::quarters`].
 fn pieces(polygon: &Polygon) -> Vec<Polygon> {
-    let Some(first) = long(polygon) else { return quarters(polygon) };
+    let Some(first) = long(polygon) else { return polygon.quarters() };
     let v = |k: usize| polygon.vertices()[(first + k) % 4];
     let (low, high) = (v(0).midpoint(v(1)), v(2).midpoint(v(3)));
     let halves = [vec![v(0), low, high, v(3)], vec![low, v(1), v(2), high]];

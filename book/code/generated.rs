@@ -51,6 +51,7 @@ pub fn files() -> Vec<(PathBuf, String)> {
     files.extend(crate::failures::files());
     files.extend(crate::versus::files());
     files.extend(crate::chart::files());
+    files.extend(crate::house::files());
     let src = root().join("src");
     files.into_iter().map(|(name, text)| (src.join(name), text)).collect()
 }

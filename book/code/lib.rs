@@ -11,6 +11,7 @@
 //! | [`directional`] | figures and numbers of *Why not specular radiosity?*        |
 //! | [`cornell`]     | the picture on the first page                                |
 //! | [`map`]         | a number for each pixel, in false colour                     |
+//! | [`house`]       | the modules of the crate, and who uses whom                  |
 //! | [`ledger`]      | where the light went, as a table                             |
 //! | [`light`]       | figures and numbers of the chapters L01 to L03               |
 //! | [`links`]       | figures and numbers of the page on hierarchical links        |
@@ -46,6 +47,7 @@ pub mod factors;
 pub mod failures;
 pub mod generated;
 pub mod hemicube;
+pub mod house;
 pub mod html;
 pub mod ledger;
 pub mod lecture_map;
@@ -128,5 +130,6 @@ mod pages {
         notation: "notation.md",
         bibliography: "bibliography.md",
         lecture_map: "lecture-map.md",
+        the_house: "the-house.md",
     }
 }

@@ -17,7 +17,7 @@
 //! | [`cosine_direction`]            | rays are to carry equal light    | never             |
 //!
 //! **Not here:** visibility; the form factor is [`crate::form_factor`]'s.
-//! Chapter *Light and solid angle* (L02, L03). Sources: Lambert 1760; Nusselt 1928;
+//! Chapters *Solid angle* (L02) and *Radiometry* (L03). Sources: Lambert 1760; Nusselt 1928;
 //! Van Oosterom & Strackee 1983; Baum, Rushmeier & Winget 1989.
 
 mod projected;

@@ -3,5 +3,6 @@
 
 mod charts;
 mod failures;
+mod house;
 mod samples;
 mod sources;

@@ -65,8 +65,8 @@ struct Triangle {
 
 #[derive(Clone, Debug)]
 struct Node {
-    low: DVec3,
-    high: DVec3,
+    /// The corners of its box: low, high.
+    ends: [DVec3; 2],
     /// Of a leaf: its first triangle. Else: its second child; the first one follows it.
     next: u32,
     /// How many triangles; 0 for an inner node.
@@ -99,7 +99,7 @@ impl Visibility {
     /// The first surface on the ray, other than `leaving`, the item that the ray leaves.
     pub fn closest(&self, ray: &Ray, leaving: Option<u32>) -> Option<Hit> {
         let shear = Shear::along(ray.direction);
-        let inverse = ray.direction.recip();
+        let slabs = Slabs::along(ray);
         let mut best: Option<Hit> = None;
         let mut stack: SmallVec<[(f64, u32); 32]> = smallvec![(0.0, 0)];
         while let Some((entry, at)) = stack.pop() {
@@ -108,10 +108,8 @@ impl Visibility {
                 continue;
             }
             if node.count == 0 {
-                let child = |at: u32| {
-                    let entry = self.nodes[at as usize].entry(ray.origin, inverse)?;
-                    Some((entry, at))
-                };
+                let child =
+                    |at: u32| Some((slabs.entry(&self.nodes[at as usize])?, at));
                 match (child(at + 1), child(node.next)) {
                     (Some(a), Some(b)) if a.0 <= b.0 => stack.extend([b, a]),
                     (a, b) => stack.extend([a, b].into_iter().flatten()),
@@ -150,7 +148,7 @@ impl Visibility {
         let mut stack = vec![0u32];
         while let Some(at) = stack.pop() {
             let Some(node) = self.nodes.get(at as usize) else { return };
-            if outside(node.low, node.high) {
+            if outside(node.ends[0], node.ends[1]) {
                 continue;
             }
             if node.count == 0 {
@@ -171,7 +169,7 @@ impl Visibility {
         let own = &self.triangles[range.clone()];
         let (low, high) = bounds(own.iter().flat_map(|t| t.corners));
         let (next, count) = (range.start as u32, range.len() as u32);
-        self.nodes.push(Node { low, high, next, count });
+        self.nodes.push(Node { ends: [low, high], next, count });
         if range.len() <= LEAF {
             return;
         }
@@ -231,16 +229,30 @@ impl Triangle {
     }
 }
 
-impl Node {
-    /// Where a ray enters the box: its distance; `None` when it misses.
-    fn entry(&self, origin: DVec3, inverse: DVec3) -> Option<f64> {
-        let a = (self.low - origin) * inverse;
-        let b = (self.high - origin) * inverse;
-        // `min`, `max` drop the NaN of 0·∞: a ray within a side plane counts as inside.
+/// A ray against boxes, each the common part of three slabs.
+struct Slabs {
+    origin: DVec3,
+    inverse: DVec3,
+    /// For each axis which end of a box the ray comes to first.
+    near: [usize; 3],
+}
+
+impl Slabs {
+    fn along(ray: &Ray) -> Slabs {
+        let inverse = ray.direction.recip();
+        let near = inverse.to_array().map(|x| usize::from(x < 0.0));
+        Slabs { origin: ray.origin, inverse, near }
+    }
+
+    /// Where the ray enters the box of `node`: its distance; `None` when it misses.
+    fn entry(&self, node: &Node) -> Option<f64> {
         let (mut enter, mut leave) = (0.0_f64, f64::INFINITY);
         for k in 0..3 {
-            enter = enter.max(a[k].min(b[k]));
-            leave = leave.min(a[k].max(b[k]));
+            let (near, far) = (node.ends[self.near[k]], node.ends[1 - self.near[k]]);
+            // Along a slab, in its very side, this is 0·∞: `max` and `min` drop the NaN, and
+            // the other side is at ∓∞. So the ray counts as inside.
+            enter = enter.max((near[k] - self.origin[k]) * self.inverse[k]);
+            leave = leave.min((far[k] - self.origin[k]) * self.inverse[k]);
         }
         // A few units of rounding, so that no box is missed through its edge.
         (enter <= leave * (1.0 + 1e-12)).then_some(enter)
@@ -284,42 +296,5 @@ impl Shear {
             return None;
         }
         Some((u * a.2 + v * b.2 + w * c.2) / sum)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::random::Stream;
-    use glam::dvec3;
-
-    #[test]
-    fn the_nearest_of_many_is_found() {
-        let mut random = Stream::named(2, &[]);
-        let mut triangle = |_| loop {
-            let mut point = || dvec3(random.next(), random.next(), random.next());
-            let (c, a, b) = (point(), 0.2 * point(), 0.2 * point());
-            if let Ok(t) = Polygon::new(vec![c, c + a, c + b]) {
-                return t;
-            }
-        };
-        let soup: Vec<Polygon> = (0..500).map(&mut triangle).collect();
-        let all = Visibility::new(&soup);
-        let single: Vec<Visibility> =
-            soup.iter().map(|t| Visibility::new([t])).collect();
-        let mut random = Stream::named(3, &[]);
-        for _ in 0..2000 {
-            let mut point = || dvec3(random.next(), random.next(), random.next());
-            let (origin, towards) = (point(), point());
-            let ray = Ray { origin, direction: (towards - origin).normalize() };
-            let brute = (0u32..)
-                .zip(&single)
-                .filter_map(|(item, one)| {
-                    Some((one.closest(&ray, None)?.distance, item))
-                })
-                .min_by(|a, b| a.0.total_cmp(&b.0));
-            let hit = all.closest(&ray, None).map(|h| (h.distance, h.item));
-            assert_eq!(hit, brute);
-        }
     }
 }

@@ -152,6 +152,10 @@ impl VirtualWorld {
         let mut first = 0;
         while world.levels < levels {
             let more = world.next_level(&world.images[first..]);
+            if more.is_empty() {
+                world.levels = levels; // no chain is longer
+                break;
+            }
             if world.images.len() + more.len() > MOST_IMAGES {
                 break;
             }

@@ -68,11 +68,19 @@ pub(super) fn statements(
     }
 }
 
-/// The words of a statement as finite numbers.
+/// What stands before the first `#` that begins a word: names may hold others.
+pub(super) fn without_comment(text: &str) -> &str {
+    let begins = |&(k, _): &(usize, &str)| text[..k].ends_with(char::is_whitespace);
+    let comment = text.match_indices('#').find(begins);
+    text[..comment.map_or(text.len(), |(k, _)| k)].trim_end()
+}
+
+/// The words of a statement, before any `#`, as finite numbers.
 ///
 /// # Errors
 /// A sentence about the first word that is none.
 pub(super) fn numbers(words: &str) -> Result<Vec<f64>, String> {
+    let words = words.split('#').next().unwrap_or_default();
     let number = |word: &str| match word.parse::<f64>() {
         Ok(x) if x.is_finite() && x.abs() <= LARGEST => Ok(x),
         Ok(_) => Err(format!(

@@ -1,6 +1,6 @@
 //! Textures that materials name: found, read, and brought to their mean.
 
-use super::lines::shown;
+use super::lines::{shown, without_comment};
 use crate::geometry::Rgb;
 use crate::texture;
 use std::collections::HashMap;
@@ -23,12 +23,14 @@ impl<'a, Open: Fn(&Path) -> io::Result<Vec<u8>>> Maps<'a, Open> {
     /// # Errors
     /// A sentence, when it cannot be read or is no texture.
     pub fn mean(&mut self, folder: &Path, name: &str) -> Result<Rgb, String> {
-        let path = folder.join(name.replace('\\', "/"));
+        let name = name.replace('\\', "/");
+        let path = folder.join(&name);
         if let Some(mean) = self.means.get(&path) {
             return Ok(*mean);
         }
         let shown = path.display();
-        let bytes = (self.open)(&path).map_err(|error| {
+        let plain = || (self.open)(&folder.join(without_comment(&name)));
+        let bytes = (self.open)(&path).or_else(|_| plain()).map_err(|error| {
             let remedy = "put it there, or remove the line";
             format!("the texture `{shown}` cannot be read ({error}); {remedy}")
         })?;

@@ -1,6 +1,6 @@
 //! Materials: the statements of MTL files checked, read by tobj, and made passive.
 
-use super::lines::{Statement, numbers, shown, statements};
+use super::lines::{Statement, numbers, shown, statements, without_comment};
 use super::map::{self, Maps};
 use super::{ObjError, at};
 use crate::geometry::Rgb;
@@ -40,30 +40,14 @@ pub(super) fn read(
     let mut read: Vec<PathBuf> = Vec::new();
     let mut scan = Scan::default();
     for (name, line) in named {
-        let failed = |file: &Path, error: io::Error| {
+        let files = files(folder, name, &open).map_err(|(file, error)| {
             let message = format!(
                 "its material file `{}` cannot be read ({error}); put it there or remove \
                  the `mtllib` line",
                 file.display()
             );
             ObjError::new(obj, *line, message)
-        };
-        // A name may hold spaces; else several names may stand there.
-        let whole = folder.join(name);
-        let files = match open(&whole) {
-            Ok(bytes) => vec![(whole, bytes)],
-            Err(error) if !name.contains(char::is_whitespace) => {
-                return Err(failed(&whole, error));
-            }
-            Err(_) => {
-                let each = |word| {
-                    let file = folder.join(word);
-                    let bytes = open(&file).map_err(|error| failed(&file, error))?;
-                    Ok((file, bytes))
-                };
-                name.split_whitespace().map(each).collect::<Result<_, _>>()?
-            }
-        };
+        })?;
         for (file, bytes) in files {
             if !read.contains(&file) {
                 scan.file(&file, &bytes)?;
@@ -72,6 +56,25 @@ pub(super) fn read(
         }
     }
     scan.library(obj, used, &open)
+}
+
+/// The files that an `mtllib` statement names, with their bytes. A name may hold spaces
+/// and `#`; else a comment stands there, or several names do.
+fn files(
+    folder: &Path,
+    named: &str,
+    open: impl Fn(&Path) -> io::Result<Vec<u8>>,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, (PathBuf, io::Error)> {
+    let file = |name: &str| {
+        let file = folder.join(name);
+        match open(&file) {
+            Ok(bytes) => Ok((file, bytes)),
+            Err(error) => Err((file, error)),
+        }
+    };
+    let plain = without_comment(named);
+    let whole = || file(named).or_else(|_| file(plain)).map(|file| vec![file]);
+    whole().or_else(|_| plain.split_whitespace().map(file).collect())
 }
 
 /// Checked statements of MTL files.
@@ -108,15 +111,7 @@ impl Scan {
                     triple(&statement).map_err(failed)?
                 }
                 "Ns" | "Ni" | "d" | "Tr" => single(&statement).map_err(failed)?,
-                "illum" => match rest.parse::<u8>() {
-                    Ok(model @ 0..=10) => model.to_string(),
-                    _ => {
-                        let given = shown(rest);
-                        return Err(failed(format!(
-                            "`illum {given}` is not an illumination model; write 0 to 10"
-                        )));
-                    }
-                },
+                "illum" => model(rest).map_err(failed)?,
                 "map_Kd" | "map_Ke" => map::file(rest).map_err(failed)?,
                 _ => continue, // other reflection models, and how it is displayed
             };
@@ -145,13 +140,15 @@ impl Scan {
         let mut materials = Vec::with_capacity(raw.len());
         let mut notes = Vec::new();
         let mut maps = Maps::new(open);
+        let used: HashSet<&str> =
+            used.iter().map(|name| without_comment(name)).collect();
         for (k, raw) in raw.iter().enumerate() {
             let find = |key: &str| keys[k].get(key).unwrap_or(&places[k]);
             let failed = |(key, message): Note| {
                 let (file, line) = find(key);
                 ObjError::new(file, *line, message)
             };
-            let seen = used.contains(&raw.name[..]);
+            let seen = used.contains(without_comment(&raw.name));
             let [diffuse, emission] =
                 [("map_Kd", &raw.diffuse), ("map_Ke", &raw.emissive)].map(
                     |(key, constant)| {
@@ -192,6 +189,16 @@ impl Library {
         Ok((self.raw.clone(), index))
     }
 
+    /// Lets `name` mean what it says, or, when no material has that very name, what it says
+    /// but for a comment behind it; `false` when that is nothing.
+    pub fn knows(&mut self, name: &str) -> bool {
+        let plain = without_comment(name);
+        let alike = |raw: &tobj::Material| without_comment(&raw.name) == plain;
+        let found = self.index.get(name).copied();
+        let found = found.or_else(|| self.raw.iter().rposition(alike));
+        found.is_some_and(|k| *self.index.entry(name.into()).or_insert(k) == k)
+    }
+
     /// What is to be said, given which materials are `used`.
     pub fn warnings(&self, used: &[bool]) -> Vec<String> {
         let notes = self.notes.iter().filter(|(k, _)| used[*k]).map(|(_, note)| note);
@@ -202,7 +209,7 @@ impl Library {
 /// Three numbers; one stands for three equal ones.
 fn triple(statement: &Statement) -> Result<String, String> {
     let (key, rest) = statement.key();
-    match numbers(rest.split('#').next().unwrap_or_default())?[..] {
+    match numbers(rest)?[..] {
         [x] => Ok(format!("{x} {x} {x}")),
         [x, y, z] => Ok(format!("{x} {y} {z}")),
         _ => Err(format!(
@@ -216,11 +223,24 @@ fn triple(statement: &Statement) -> Result<String, String> {
 fn single(statement: &Statement) -> Result<String, String> {
     let (key, rest) = statement.key();
     let rest = rest.trim_start_matches("-halo");
-    match numbers(rest.split('#').next().unwrap_or_default())?[..] {
+    match numbers(rest)?[..] {
         [x] => Ok(x.to_string()),
         _ => Err(format!(
             "`{}` needs one number; write `{key} x`",
             shown(&statement.text)
+        )),
+    }
+}
+
+/// The number of an illumination model.
+fn model(words: &str) -> Result<String, String> {
+    match numbers(words).as_deref() {
+        Ok(&[model]) if (0.0..=10.0).contains(&model) && model.fract() == 0.0 => {
+            Ok(model.abs().to_string()) // −0 is 0
+        }
+        _ => Err(format!(
+            "`illum {}` is not an illumination model; write 0 to 10",
+            shown(words)
         )),
     }
 }

@@ -1,6 +1,6 @@
 //! Checks the statements of an OBJ file and writes the plain copy that tobj reads.
 
-use super::lines::{Statement, numbers, shown, statements};
+use super::lines::{Statement, numbers, shown, statements, without_comment};
 use super::{ObjError, at};
 use crate::scene::Camera;
 use glam::DVec3;
@@ -88,6 +88,7 @@ pub(super) fn scan(file: &Path, bytes: &[u8]) -> Result<Scan, ObjError> {
                     }
                 }
                 let camera = statement.text.strip_prefix("# camera ");
+                let camera = camera.map(without_comment);
                 if let Some(camera) = camera.filter(|text| text.starts_with("eye ")) {
                     scan.camera = parse_camera(camera);
                     if scan.camera.is_none() {

@@ -44,7 +44,7 @@ pub use place::Place;
 
 use crate::geometry::{Polygon, Rgb};
 use crate::material::Material;
-use crate::scene::{Face, FaceError, FaceId, MaterialId, Scene, Side, Surface};
+use crate::scene::{Face, FaceId, MaterialId, Scene, SceneError, Side, Surface};
 use anchor::Anchor;
 use build::Builder;
 use contact::Planes;
@@ -171,7 +171,7 @@ impl Mesh {
     ///
     /// # Errors
     /// An element so small that rounding has left it no shape.
-    pub fn as_faces(&self, scene: &Scene) -> Result<Scene, FaceError> {
+    pub fn as_faces(&self, scene: &Scene) -> Result<Scene, SceneError> {
         let surface = |e: &Element| &scene.surfaces[self.surface_of(e) as usize];
         let fronts = self.elements.iter().filter(|e| surface(e).side == Side::Front);
         let face = |e: &Element| Face {

@@ -50,7 +50,7 @@ pub use export::export;
 
 use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material};
-use crate::scene::{Face, MaterialId, Scene, Warning};
+use crate::scene::{Face, MaterialId, Scene, SceneError, Warning};
 use glam::DVec3;
 use std::path::{Path, PathBuf};
 use std::{fmt, fs, io};
@@ -128,9 +128,9 @@ pub fn read(
 ) -> Result<(Scene, Vec<String>), ObjError> {
     let scan = scan::scan(path, bytes)?;
     let used = scan.uses.iter().map(|(name, _)| &name[..]).collect();
-    let library = mtl::read(path, &scan.libraries, &used, &open)?;
+    let mut library = mtl::read(path, &scan.libraries, &used, &open)?;
     for (name, line) in &scan.uses {
-        if !library.index.contains_key(name) {
+        if !library.knows(name) {
             let remedy = "define it with `newmtl` in a file named by `mtllib`";
             let message = format!("there is no material `{name}`; {remedy}");
             return Err(ObjError::new(path, *line, message));
@@ -157,10 +157,12 @@ pub fn read(
     let line = |face: crate::scene::FaceId| scan.faces[face].0;
     warnings.extend(solid::warnings(path, &faces, &materials, |k| scan.faces[k].0));
     let (mut scene, repairs) = Scene::assemble(name, materials, faces, scan.camera)
-        .map_err(|error| {
-            let (line, text) = &scan.faces[error.face];
-            let message = format!("face `{text}` {}", error.reason);
-            ObjError::new(path, *line, message)
+        .map_err(|error| match error {
+            SceneError::Face { face, reason } => {
+                let (line, text) = &scan.faces[face];
+                ObjError::new(path, *line, format!("face `{text}` {reason}"))
+            }
+            error => ObjError::new(path, None, error),
         })?;
     warnings.extend(repairs.iter().map(|repair| {
         let what = match repair {

@@ -65,22 +65,40 @@ impl fmt::Display for Warning {
     }
 }
 
-/// A face that is no surface and cannot be made one.
+/// Why faces make no scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FaceError {
-    /// Which face.
-    pub face: FaceId,
-    /// What is wrong with it.
-    pub reason: PolygonError,
+#[non_exhaustive]
+pub enum SceneError {
+    /// There is no face at all.
+    NoFaces,
+    /// A face is no surface and cannot be made one.
+    Face {
+        /// Which face.
+        face: FaceId,
+        /// What is wrong with it.
+        reason: PolygonError,
+    },
 }
 
-impl fmt::Display for FaceError {
+impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "face {} {}", self.face.0, self.reason)
+        match self {
+            SceneError::NoFaces => {
+                write!(f, "there is no face; a scene needs at least one")
+            }
+            SceneError::Face { face, reason } => write!(f, "face {} {reason}", face.0),
+        }
     }
 }
 
-impl std::error::Error for FaceError {}
+impl std::error::Error for SceneError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            SceneError::NoFaces => None,
+            SceneError::Face { reason, .. } => Some(reason),
+        }
+    }
+}
 
 impl Scene {
     /// Makes a scene of faces.
@@ -94,21 +112,24 @@ impl Scene {
     /// [`Camera::showing`] its surfaces, the y-axis up.
     ///
     /// # Errors
-    /// A face that [`split()`] refuses: no area, edges that cross, coordinates that are
-    /// not finite.
+    /// When there is no face; and for a face that [`split()`] refuses: no area, edges that
+    /// cross, coordinates that are not finite.
     pub fn assemble(
         name: impl Into<String>,
         materials: Vec<Material>,
         faces: Vec<Face>,
         camera: Option<Camera>,
-    ) -> Result<(Scene, Vec<Warning>), FaceError> {
+    ) -> Result<(Scene, Vec<Warning>), SceneError> {
+        if faces.is_empty() {
+            return Err(SceneError::NoFaces);
+        }
         let mut warnings = Vec::new();
         let mut surfaces = Vec::with_capacity(faces.len());
         for (id, Face { outline, material }) in faces.iter().enumerate() {
             debug_assert!((material.0 as usize) < materials.len(), "no such material");
             let face = FaceId(id as u32);
             let polygons =
-                split(outline).map_err(|reason| FaceError { face, reason })?;
+                split(outline).map_err(|reason| SceneError::Face { face, reason })?;
             if let (pieces @ 2.., Err(reason)) =
                 (polygons.len(), crate::geometry::Polygon::new(outline.clone()))
             {

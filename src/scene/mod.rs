@@ -25,7 +25,7 @@ mod camera;
 mod dulled;
 mod overlap;
 
-pub use assemble::{FaceError, Warning};
+pub use assemble::{SceneError, Warning};
 pub use builtin::{BuiltIn, BuiltInError, built_in, builtins};
 pub use camera::Camera;
 

@@ -75,6 +75,15 @@ fn an_edge_that_makes_no_elements() {
 }
 
 #[test]
+fn a_file_without_faces() {
+    bad_file(
+        format!("mtllib a.mtl\n{SQUARE}usemtl lamp\n"),
+        LAMP,
+        &["a.obj", "has no face"],
+    );
+}
+
+#[test]
 fn a_missing_mtl() {
     let obj = format!("{SQUARE}mtllib gone.mtl\nusemtl lamp\nf 1 2 3 4\n");
     bad_file(obj, LAMP, &["gone.mtl"]);

@@ -69,6 +69,17 @@ fn explained(name: &str) -> String {
     format!("```text\n{lines}```\n")
 }
 
+/// Where what does not come to a surface goes, in the Cornell box.
+fn lost() -> String {
+    let survey = Plan::of(cornell(), 0.01).survey;
+    let (leaves, backs) = (100.0 * survey.escaping, 100.0 * survey.on_backs);
+    format!(
+        "(Of what the surfaces send {leaves:.1} % leave, {backs:.1} % fall on backs, which are \
+         black, and {:.1} % come to another surface.)",
+        100.0 - leaves - backs
+    )
+}
+
 /// The plans for all plain built-in scenes.
 fn plans() -> String {
     let mut text = String::from(
@@ -209,7 +220,7 @@ fn regret(rows: &[Row]) -> String {
          certificates included; where it meets what was asked, {:.1} times at worst, and by \
          counts {:.1} times. (Where it does not, it has tried several times.) The light alone, \
          without certificates, is {:.1} times the work at worst: where the proof costs most, \
-         the plan need not be stingy with light. Who needs no proof would have been done in \
+         the plan need not be stingy with light. Whoever needs no proof would have been done in \
          {:.2} of the plan's time.\n",
         plan / best,
         worst(0),
@@ -253,6 +264,7 @@ pub fn files() -> Vec<(String, String)> {
     let rows = rows(&trials);
     let mut files = vec![
         ("generated/needs-cornell.md".to_string(), explained("cornell")),
+        ("generated/needs-lost.md".into(), lost()),
         ("generated/needs-furnace.md".into(), explained("furnace")),
         ("generated/needs-plans.md".into(), plans()),
         ("generated/needs-given.md".into(), given(&rows)),

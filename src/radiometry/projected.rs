@@ -9,13 +9,13 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// `∫ cosθ dω` over what lies above the horizon of `p`. Either side of the outline counts.
 ///
 /// ```text
-/// Ω⊥ = ½ Σₖ γₖ  n · (Rₖ × Rₖ₊₁)/|Rₖ × Rₖ₊₁|        Rₖ = vertexₖ − p
+/// Ω⊥ = |½ Σₖ γₖ  n · (Rₖ₊₁ × Rₖ)/|Rₖ₊₁ × Rₖ||      Rₖ = vertexₖ − p
 /// ```
 /// with `γₖ` the angle between `Rₖ` and `Rₖ₊₁` (Lambert 1760; Baum et al. 1989).
 ///
 /// # Accuracy
 /// Exact but for rounding off the outline's edges. On an edge the direction of
-/// `Rₖ × Rₖ₊₁` is lost; that edge counts 0.
+/// `Rₖ₊₁ × Rₖ` is lost; that edge counts 0.
 pub fn projected_solid_angle(p: DVec3, n: DVec3, outline: &[DVec3]) -> f64 {
     debug_assert!(n.is_normalized(), "n must have unit length: {n}");
     // ANCHOR: horizon
@@ -35,7 +35,7 @@ fn lambert_sum(p: DVec3, n: DVec3, outline: &[DVec3]) -> f64 {
     let mut a = last - p;
     for &vertex in outline {
         let b = vertex - p;
-        let across = a.cross(b);
+        let across = b.cross(a); // positive sums for fronts
         sum += angle_over_sine(across.length_squared(), a.dot(b)) * n.dot(across);
         a = b;
     }

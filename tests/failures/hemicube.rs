@@ -31,8 +31,8 @@ pub const ROWS: &[Row] = &[
         number: 19,
         name: "The small lamp that nobody sees",
         why: "A patch between the centres of the cells is not there at all.",
-        size: "A lamp of .02 at distance 1 is missed in 81 % of all places by a hemicube of \
-               32, in 31 % by one of 64.",
+        size: "A lamp of side 0.02 that faces the element at distance 1, in any direction, is \
+               missed in 81 % of all cases by a hemicube of 32, in 31 % by one of 64.",
         remedy: "Shoot from small lamps instead of gathering; or take them exactly.",
         tests: &["hemicube::row_19_a_small_lamp_is_missed"],
         shown: Shown::Curve(missed),

@@ -40,7 +40,7 @@ pub const ROWS: &[Row] = &[
         name: "Edges of shadows are stairs",
         why: "One number for an element puts the edge of a shadow on the grid, however \
               exact the light is.",
-        size: "For an edge of slope 0.6 it is 0.24 elements out of place in the mean: \
+        size: "For an edge of slope 0.6 it is 0.24 elements out of place on average: \
                half of it with elements of half the size.",
         remedy: "Refine along edges of shadows, cut along them, or look for lamps at \
                  each pixel.",
@@ -54,7 +54,7 @@ pub const ROWS: &[Row] = &[
               it.",
         size: "A spot of light of 0.1 m is missed by elements of 1 m, 0.5 m and 0.125 \
                m: all of it; those of 0.25 m make it 6.25 times as much. It is right \
-               in the mean over all grids, and seldom on one.",
+               on average over all grids, and seldom on one.",
         remedy: "Means over elements instead of places, and shafts that tell where \
                  something may hide.",
         tests: &["display::row_38_a_spot_between_the_places_is_not_there"],

@@ -42,7 +42,7 @@ pub const ROWS: &[Row] = &[
     Row {
         number: 62,
         name: "A blocker on the second leg",
-        why: "Light by a mirror goes two legs. Who asks for blockers between the floor \
+        why: "Light by a mirror goes two legs. Whoever asks for blockers between the floor \
               and the mirror only misses what stands between the mirror and the lamp.",
         size: "A card that hides all of it changes nothing for the wrong method, where \
                0 is due; ours follows the card exactly.",

@@ -49,7 +49,7 @@ pub const ROWS: &[Row] = &[
     Row {
         number: 71,
         name: "Light lost inside glass",
-        why: "Beyond the critical angle all light is reflected. Who takes what cannot \
+        why: "Beyond the critical angle all light is reflected. Whoever takes what cannot \
               be refracted for nothing loses it.",
         size: "At 60° inside glass a face reflects and passes 7 % of the light instead \
                of all, with Schlick's curve and no total reflection; ours gives R + T \

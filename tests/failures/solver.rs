@@ -75,13 +75,14 @@ pub const ROWS: &[Row] = &[
     Row {
         number: 53,
         name: "Shot too far ahead",
-        why: "Who shoots light that is not there yet owes it, and the debt is shot \
+        why: "Whoever shoots light that is not there yet owes it, and the debt is shot \
               back.",
         size: "Converges below twice the unshot light and explodes above. The ambient \
                guess without a bound: ten thousand times more with each ten shots; \
                within the safe bound it saves half of all shots, and nine in ten where \
                ρ = 0.9.",
-        remedy: "The bound of Gortler, Cohen and Slusallek: never more than is safe.",
+        remedy: "Never twice what is unshot, by the theory of Gortler, Cohen and Slusallek; at most \
+                 1.9 times, here.",
         tests: &[
             "shooting::row_53_overshooting_without_bound_explodes",
             "shooting::row_53_half_of_the_shots_are_saved",
@@ -113,7 +114,7 @@ pub const ROWS: &[Row] = &[
     Row {
         number: 56,
         name: "Chance",
-        why: "A factor by rays is right in the mean, and off in each single run.",
+        why: "A factor by rays is right on average, and off in each single run.",
         size: "√(F (1 − F)/N) by independent rays, 40 % less by rays that are spread \
                evenly; no element's mean over 100 seeds is off by four of its \
                deviations.",

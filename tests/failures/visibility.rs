@@ -309,7 +309,7 @@ pub fn mean_visibility() -> Sweep {
     }
 }
 
-/// Tests of boxes and of triangles that a ray needs, in the mean over a thousand rays, in a
+/// Tests of boxes and of triangles that a ray needs, on average over a thousand rays, in a
 /// cube with n × n tiles to a wall; by the tree, and how many triangles there are. A box is
 /// looked into when the ray enters it before its hit: as if the nearest were known.
 pub fn tests_of_a_ray(n: usize) -> (f64, f64) {

@@ -17,7 +17,7 @@ fn rectangle(corner: DVec3, a: DVec3, b: DVec3) -> Polygon {
     Polygon::new(corners).expect("a rectangle is a polygon")
 }
 
-/// A floor of four elements under a low lamp, one of them split, seen from aside: its
+/// A floor of four elements under a low lamp, one of them split, seen from the side: its
 /// T-vertices with the light that is there, and anchored.
 pub fn torn() -> RgbImage {
     let floor = rectangle(dvec3(-0.5, -0.5, 0.0), DVec3::X, DVec3::Y);

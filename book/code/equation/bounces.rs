@@ -4,8 +4,11 @@ use super::system::{ALL, cornell};
 use radiosity::film::RgbImage;
 use std::fmt::Write;
 
-/// The terms that are drawn.
+/// The terms that are drawn alone.
 pub const SHOWN: [u32; 4] = [0, 1, 2, 3];
+
+/// The most bounces of the opening pictures, before the one of [`ALL`].
+pub const SUMS: u32 = 4;
 
 /// The light that has bounced at most so many times, at exposure 1.
 pub fn sum_picture(bounces: u32) -> RgbImage {
@@ -40,11 +43,13 @@ pub fn alone_caption(bounces: u32) -> String {
 /// The caption of the opening picture.
 pub fn caption() -> String {
     let room = cornell();
+    let drawn: Vec<String> = (0..SUMS).map(|bounces| bounces.to_string()).collect();
     format!(
         "Scene <code>cornell</code>, {} elements with edges up to 0.05 m, analytic \
-         form factors, exposure 1, smooth shading. Light after at most 0, 1, 2, 3 \
+         form factors, exposure 1, smooth shading. Light after at most {} and {SUMS} \
          bounces, and after {ALL}.",
-        room.mesh.elements.len()
+        room.mesh.elements.len(),
+        drawn.join(", ")
     )
 }
 

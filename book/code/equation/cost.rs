@@ -79,6 +79,6 @@ pub fn text() -> String {
     format!(
         "Each bounce multiplies the error by ρ or less. So a digit costs ln 10/(−ln \
          ρ) bounces: {low:.1}, {middle:.0} and {high:.0} for the three rooms. \
-         **Bright rooms are dear**, not large ones.\n"
+         **Bright rooms are expensive**, not large ones.\n"
     )
 }

@@ -96,8 +96,8 @@ pub fn caption(slip: Slip) -> String {
     };
     let [absorbed, escaped] = shares(slip).map(|share| 100.0 * share);
     format!(
-        "{what}: of each watt sent, {absorbed:.0} % are absorbed and {escaped:.0} % \
-         escape, together {:.0} %",
+        "{what}: of each watt sent, {absorbed:.1} % are absorbed and {escaped:.1} % \
+         escape, together {:.1} %",
         absorbed + escaped
     )
 }

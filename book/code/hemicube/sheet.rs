@@ -62,7 +62,7 @@ pub fn caption(resolution: u32, side: f64) -> String {
     let missed = ratios.iter().filter(|&&r| r == 0.0).count() as f64;
     let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
     format!(
-        "Resolution {resolution}: {:.0} % of the places miss the lamp; in the mean {:.2} \
+        "Resolution {resolution}: {:.0} % of the places miss the lamp; on average {:.2} \
          of its light is found",
         100.0 * missed / ratios.len() as f64,
         mean

@@ -98,6 +98,17 @@ pub fn error_caption(cuts: u32) -> String {
     format!("{cuts} × {cuts} elements: off by {off:.0} %")
 }
 
+/// By what halving the elements divides the error, from map to map.
+pub fn order() -> String {
+    let [coarse, middle, fine] = CUTS.map(|cuts| rms(&errors(cuts)));
+    format!(
+        "Halve the elements, and here the error is divided by {:.1}, and then by {:.1}: by 2 in the \
+         end, when they are small. It is of *first order*.",
+        coarse / middle,
+        middle / fine
+    )
+}
+
 /// The key to the maps.
 pub fn key() -> String {
     map::key(RANGE.0, RANGE.1, 3, map::per_cent)

@@ -39,6 +39,7 @@ pub fn files() -> Vec<(String, String)> {
     }
     files.extend([
         ("generated/assumptions-key.md".to_string(), assumptions::key()),
+        ("generated/assumptions-order.md".into(), assumptions::order()),
         ("generated/assumptions-cost.md".into(), assumptions::cost()),
         ("generated/assumptions-ledger.md".into(), assumptions::ledger()),
     ]);

@@ -11,7 +11,7 @@ pub fn text() -> String {
     let (first, last) = (find("all rows first", 1.0), find("all rows first", 8.0));
     format!(
         "A hundred shots take {:.0} ms; the picture is {:.0} % off then, and {:.0} % \
-         with the ambient term. Who computes all rows first waits {:.0} ms for the \
+         with the ambient term. Whoever computes all rows first waits {:.0} ms for the \
          first sweep, which is {:.0} % off, but a few more sweeps are nearly free. \
          All end at {:.1} %, give or take: that is the hemicubes' own error.\n",
         1e3 * early.seconds,

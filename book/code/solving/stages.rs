@@ -130,7 +130,7 @@ pub fn text() -> String {
     };
     format!(
         "To be 1 % off Jacobi works for {} gathers, Gauss–Seidel for {}, shooting by power for \
-         the like of {}, overshooting for {}, conjugate gradients for {}.\n",
+         as much as {}, overshooting for {}, conjugate gradients for {}.\n",
         needed("Jacobi"),
         needed("Gauss-Seidel"),
         needed("shooting by power"),

@@ -54,13 +54,17 @@ fn furnace(reflectance: f64) -> Scene {
 /// How much light there is in a closed room, and how often it is reflected.
 pub fn bounces() -> String {
     let mut text = String::from(
-        "| reflectance | radiosity for E = 1 | what is left after 10 reflections |\n\
-         |---|---|---|\n",
+        "| reflectance | 1/(1 − ρ) | radiosity for E = 1, solved | left after 10 reflections |\n\
+         |---|---|---|---|\n",
     );
     for reflectance in [0.5, 0.8, 0.9, 0.99] {
         let radiosity = solved(&furnace(reflectance)).radiosity[0].x;
-        let left = 100.0 * f64::powi(reflectance, 10);
-        let _ = writeln!(text, "| {reflectance} | {radiosity:.2} | {left:.1} % |");
+        let (exact, left) =
+            (1.0 / (1.0 - reflectance), 100.0 * f64::powi(reflectance, 10));
+        let _ = writeln!(
+            text,
+            "| {reflectance} | {exact:.0} | {radiosity:.2} | {left:.1} % |"
+        );
     }
     text
 }

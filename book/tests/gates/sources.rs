@@ -66,6 +66,41 @@ fn generated_files_are_fresh() {
     all_fit(stale.map(say).collect());
 }
 
+/// What follows `mark` in `text`, each time, up to `end`.
+fn after<'t>(text: &'t str, mark: &'t str, end: char) -> impl Iterator<Item = &'t str> {
+    text.split(mark).skip(1).filter_map(move |rest| rest.split(end).next())
+}
+
+/// Each entry is cited by a page, each citation has its entry, and in each part years
+/// ascend; what is kept on-line has none and comes last.
+#[test]
+fn the_bibliography_is_cited_and_in_order() {
+    const FILE: &str = "bibliography.md";
+    let entries = read(FILE);
+    let others = pages().into_iter().filter(|page| page != FILE);
+    let citing: String = others.map(|page| read(&page)).collect();
+    let mut cited: Vec<&str> = after(&citing, "bibliography.md#", ')').collect();
+    let mut faults = Vec::new();
+    for part in entries.split("\n## ") {
+        let mut before = 0;
+        for key in after(part, "<a id=\"", '"') {
+            let year = key.rsplit('-').next().and_then(|year| year.parse().ok());
+            let year = year.unwrap_or(u32::MAX);
+            if year < before {
+                faults.push(format!("{key} is older than what stands before it"));
+            }
+            if !cited.contains(&key) {
+                faults.push(format!("{key} is cited by no page"));
+            }
+            cited.retain(|other| *other != key);
+            before = year;
+        }
+    }
+    faults.extend(cited.iter().map(|key| format!("{key} is not in the bibliography")));
+    assert!(entries.matches("<a id").count() > 60, "the entries are not found");
+    all_fit(faults);
+}
+
 #[test]
 fn the_summary_follows_the_lecture() {
     let entries = entries();

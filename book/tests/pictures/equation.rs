@@ -17,21 +17,27 @@ fn light_comes_bounce_by_bounce() {
     let all = room.power(&room.after(ALL));
     assert!((powers.iter().sum::<f64>() / all - 1.0).abs() < 1e-12);
     for k in bounces::SHOWN {
-        assert_picture(
-            PICTURES,
-            &format!("equation-sum-{k}"),
-            &bounces::sum_picture(k),
-        );
         let alone = bounces::alone_picture(k);
         if k > 0 {
             assert_picture(PICTURES, &format!("equation-alone-{k}"), &alone);
         }
     }
-    for k in 0..=4 {
+    for k in 0..=bounces::SUMS {
         let picture = bounces::sum_picture(k);
         assert_picture(PICTURES, &format!("equation-sum-{k}"), &picture);
     }
     assert_picture(PICTURES, "equation-sum-all", &bounces::sum_picture(ALL));
+}
+
+/// The page shows each picture that its caption counts, and no other.
+#[test]
+fn the_caption_counts_the_pictures() {
+    let page = include_str!("../src/radiosity-equation.md");
+    let shown = page.matches("pictures/equation-sum-").count();
+    assert_eq!(shown, bounces::SUMS as usize + 2, "0 to {}, and all", bounces::SUMS);
+    assert!(
+        bounces::caption().contains("at most 0, 1, 2, 3 and 4 bounces, and after 60")
+    );
 }
 
 /// Who sees whom is mutual; and by all ways everybody lights everybody.

@@ -71,7 +71,7 @@ fn explained(name: &str) -> String {
 
 /// Where what does not come to a surface goes, in the Cornell box.
 fn lost() -> String {
-    let survey = Plan::of(cornell(), 0.01).survey;
+    let survey = Plan::of(&Room::of(cornell()), 0.01).survey;
     let (leaves, backs) = (100.0 * survey.escaping, 100.0 * survey.on_backs);
     format!(
         "(Of what the surfaces send {leaves:.1} % leave, {backs:.1} % fall on backs, which are \

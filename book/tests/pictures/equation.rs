@@ -32,7 +32,7 @@ fn light_comes_bounce_by_bounce() {
 /// The page shows each picture that its caption counts, and no other.
 #[test]
 fn the_caption_counts_the_pictures() {
-    let page = include_str!("../src/radiosity-equation.md");
+    let page = include_str!("../../src/radiosity-equation.md");
     let shown = page.matches("pictures/equation-sum-").count();
     assert_eq!(shown, bounces::SUMS as usize + 2, "0 to {}, and all", bounces::SUMS);
     assert!(

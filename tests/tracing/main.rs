@@ -10,3 +10,4 @@ mod path_glass;
 mod path_tracer;
 mod pictures;
 mod rays;
+mod visibility;

@@ -8,6 +8,7 @@ use radiosity::mesh::quarters;
 use radiosity::obj;
 use radiosity::random::Stream;
 use radiosity::raster::View;
+use radiosity::room::Room;
 use radiosity::scene::Camera;
 use radiosity::trace::{Limits, Whitted};
 use radiosity::visibility::{Hit, Visibility};
@@ -212,7 +213,8 @@ fn a_mirrored_wall_has_no_black_pixel() {
     let camera = Camera { eye: dvec3(0.0, 1.0, 3.0), target: DVec3::Y, ..scene.camera };
     let shot = Shot { camera, width: 33, height: 33, samples: 1 };
     let view = shot.view();
-    let shown = Whitted::of(&scene, Limits::default()).picture(&shot, &|_, _, _| ());
+    let shown =
+        Whitted::of(&Room::of(&scene), Limits::default()).picture(&shot, &|_, _, _| ());
     let mirror = Visibility::new(scene.surfaces[..1].iter().map(|s| &s.polygon));
     let mut seen = 0;
     for (pixel, light) in shown.picture.pixels.iter().enumerate() {

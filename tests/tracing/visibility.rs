@@ -4,7 +4,6 @@
 use glam::{DVec3, dvec3};
 use radiosity::film::Shot;
 use radiosity::geometry::{Polygon, Ray};
-use radiosity::mesh::quarters;
 use radiosity::obj;
 use radiosity::random::Stream;
 use radiosity::raster::View;
@@ -156,7 +155,7 @@ fn special_directions_lose_nothing() {
     let mut random = Stream::named(6, &[]);
     let soup = blocks(&mut random);
     // Each is met through its four parts: edges and corners lie where a ray surely meets.
-    let parts: Vec<_> = soup.iter().map(quarters).collect();
+    let parts: Vec<_> = soup.iter().map(Polygon::quarters).collect();
     assert!(parts.iter().all(|parts| parts.len() == 4));
     let all = Visibility::new(parts.iter().flatten());
     for _ in 0..4000 {

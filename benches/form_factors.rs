@@ -8,7 +8,7 @@ use radiosity::form_factor::analytic::{Analytic, exchange};
 use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::form_factor::hybrid::Hybrid;
 use radiosity::form_factor::pictures::Pictures;
-use radiosity::form_factor::{FormFactors, Matrix};
+use radiosity::form_factor::{Accuracy, FormFactors, Matrix};
 use radiosity::geometry::Polygon;
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::prelude::*;
@@ -20,12 +20,17 @@ fn main() {
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
     one.install(|| {
         pairs();
-        matrices("open cube", &open_cube(11), &[1e-4, 1e-5, 1e-6, 1e-8], 1e-300);
+        matrices(
+            "open cube",
+            &open_cube(11),
+            &[1e-4, 1e-5, 1e-6, 1e-8],
+            Accuracy::Best,
+        );
         matrices(
             "Cornell room, tiled",
             &tiled("cornell-regular", 1700.0),
             &[1e-4, 3e-5, 1e-5],
-            1e-7,
+            Accuracy::Absolute(1e-7),
         );
         hemicubes();
         scaling("furnace");
@@ -54,7 +59,7 @@ fn pairs() {
     println!("one pair of unit squares, face to face, at 1e-10");
     for distance in [0.1, 1.0, 2.0, 5.0, 20.0] {
         let (a, b) = (square(0.0, true), square(distance, false));
-        let best = exchange(&a, &b, 1e-300);
+        let best = exchange(&a, &b, Accuracy::Best);
         let error = (exchange(&a, &b, 1e-10) - best).abs();
         let many = 2000;
         let seconds = fastest(5, || {
@@ -101,17 +106,17 @@ fn dense(matrix: &Matrix) -> Vec<f64> {
     dense
 }
 
-fn matrices(what: &str, scene: &Scene, tolerances: &[f64], reference: f64) {
+fn matrices(what: &str, scene: &Scene, tolerances: &[f64], reference: Accuracy) {
     let mesh = Mesh::whole(scene);
-    let matrix = |tolerance| {
-        Analytic::new(scene, &mesh, tolerance, 0).without_losses().matrix(&|| {})
+    let matrix = |accuracy: Accuracy| {
+        Analytic::new(scene, &mesh, accuracy, 0).without_losses().matrix(&|| {})
     };
     let best = dense(&matrix(reference));
     let n = mesh.elements.len();
-    println!("{what}, {n} faces; errors against the method at {reference:.0e}");
+    println!("{what}, {n} faces; errors against the method at {reference:?}");
     for &tolerance in tolerances {
         let mut found = Matrix::default();
-        let seconds = fastest(3, || found = matrix(tolerance));
+        let seconds = fastest(3, || found = matrix(tolerance.into()));
         let found = dense(&found);
         let pairs = || found.iter().zip(&best);
         let square: f64 = pairs().map(|(a, b)| (a - b).powi(2)).sum();

@@ -22,7 +22,9 @@
 use super::contour::exchange_by_contour;
 use super::quadrature::{over, points_for};
 use super::visible::lambert_visible;
-use super::{Blocker, Blockers, FormFactors, Lost, Matrix, Row, lost_by_rays};
+use super::{
+    Accuracy, Blocker, Blockers, FormFactors, Lost, Matrix, Row, lost_by_rays,
+};
 use crate::geometry::Polygon;
 use crate::mesh::{ElementId, Mesh};
 use crate::radiometry::projected_solid_angle;
@@ -53,16 +55,15 @@ pub fn lambert_polygon(p: DVec3, n: DVec3, to: &Polygon) -> f64 {
 }
 
 /// `A_i F_ij = A_j F_ji` in scene units squared between the fronts of two polygons with
-/// nothing between them, with an absolute error of both factors below `tolerance`; a
-/// `tolerance` of 1e-300 asks for the best there is. What lies behind the other's plane is
-/// cut away first.
+/// nothing between them, both factors being as right as `accuracy` asks. What lies behind
+/// the other's plane is cut away first.
 ///
 /// # Accuracy
 /// A relative 1e-9 on all pairs of the accuracy tables (`tests/tables/form_factors.rs`),
 /// shared edges, near-touching and cut pairs among them.
-pub fn exchange(i: &Polygon, j: &Polygon, tolerance: f64) -> f64 {
+pub fn exchange(i: &Polygon, j: &Polygon, accuracy: impl Into<Accuracy>) -> f64 {
     match facing(i, j) {
-        Some((i, j)) => exchange_of_facing(&i, &j, tolerance),
+        Some((i, j)) => exchange_of_facing(&i, &j, accuracy.into().allowed()),
         None => 0.0,
     }
 }
@@ -168,9 +169,15 @@ pub struct Analytic {
 const DEEPEST: u32 = 10;
 
 impl Analytic {
-    /// Factors between the elements of `mesh`, each with an absolute error near
-    /// `tolerance`; `seed` chooses the rays that count what escapes.
-    pub fn new(scene: &Scene, mesh: &Mesh, tolerance: f64, seed: u64) -> Analytic {
+    /// Factors between the elements of `mesh`, each about as right as `accuracy` asks;
+    /// `seed` chooses the rays that count what escapes.
+    pub fn new(
+        scene: &Scene,
+        mesh: &Mesh,
+        accuracy: impl Into<Accuracy>,
+        seed: u64,
+    ) -> Analytic {
+        let tolerance = accuracy.into().allowed();
         Analytic {
             elements: mesh.polygons().cloned().collect(),
             pieces: mesh.cut_at_contacts(),

@@ -17,6 +17,7 @@
 //!
 //! Sources: Goral et al. 1984 (area integrals); Hammersley & Handscomb 1964 (controls).
 
+use super::Accuracy;
 use super::analytic::exchange;
 use crate::geometry::{Polygon, Ray};
 use crate::random::Stream;
@@ -62,7 +63,10 @@ pub fn controlled(
         let kernel = kernel(i, x, j, y);
         if kernel > 0.0 && !sees(scene, x, y) { kernel } else { 0.0 }
     });
-    Estimate { exchange: exchange(i, j, 1e-300) - hidden, standard_error: error }
+    Estimate {
+        exchange: exchange(i, j, Accuracy::Best) - hidden,
+        standard_error: error,
+    }
 }
 // ANCHOR_END: controlled
 

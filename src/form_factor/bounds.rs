@@ -8,7 +8,7 @@
 //! end, for the upper bound only. No point is sampled, so nothing can be missed.
 
 use super::analytic::{Analytic, exchange};
-use super::{Blocker, Blockers};
+use super::{Accuracy, Blocker, Blockers};
 use crate::geometry::Polygon;
 use crate::mesh::ElementId;
 
@@ -39,7 +39,7 @@ fn between(
         return (0.0, 0.0);
     }
     if blockers.is_empty() || halvings == 0 {
-        let all = exchange(a, b, 1e-300);
+        let all = exchange(a, b, Accuracy::Best);
         return (if blockers.is_empty() { all } else { 0.0 }, all);
     }
     let (cut, other) = if a.diameter() > b.diameter() { (a, b) } else { (b, a) };

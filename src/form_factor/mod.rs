@@ -7,6 +7,7 @@
 //!
 //! | method        | use it when                           | it fails when                    |
 //! |---------------|---------------------------------------|----------------------------------|
+//! | [`form_factor`] | two polygons are given              | never                            |
 //! | [`analytic`]  | a factor must be right                | shafts hold dozens of blockers   |
 //! | [`area`]      | one pair is due, past many blockers   | blockers reach into a shared edge|
 //! | [`hemicube`]  | all factors of a row are due, quickly | a patch has few cells: aliasing  |
@@ -21,6 +22,7 @@
 //! Chapters *Form factors* (L07) and *The hemicube* (L10). Sources: Lambert 1760;
 //! Goral et al. 1984; Cohen & Greenberg 1985; Nishita & Nakamae 1985.
 
+mod accuracy;
 pub mod analytic;
 pub mod area;
 mod blocker;
@@ -37,17 +39,20 @@ pub mod linear;
 mod matrix;
 pub mod named;
 mod painter;
+mod pair;
 pub mod pictures;
 mod quadrature;
 pub mod shortcuts;
 mod visible;
 
+pub use accuracy::Accuracy;
 pub use blocker::Blocker;
 pub use blockers::Blockers;
 pub use close::{Closing, close, closure};
 pub use contour::exchange_by_contour;
 pub use glance::{Glance, Sight, glance};
 pub use matrix::{Cached, Matrix, Row};
+pub use pair::{form_factor, form_factor_past};
 pub use visible::{lambert_visible, visible_parts};
 
 pub(crate) use blockers::{Shaft, joined_tiles};

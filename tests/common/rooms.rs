@@ -2,7 +2,7 @@
 
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::analytic::exchange;
-use radiosity::form_factor::{FormFactors, Lost, Matrix, Row};
+use radiosity::form_factor::{Accuracy, FormFactors, Lost, Matrix, Row};
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::material::{Coefficients, Material};
 use radiosity::mesh::{ElementId, Mesh};
@@ -69,7 +69,7 @@ pub fn exact_factors(mesh: &Mesh) -> Matrix {
             if mesh.elements[i].patch == mesh.elements[j].patch {
                 continue;
             }
-            let power = exchange(polygons[i], polygons[j], 1e-300);
+            let power = exchange(polygons[i], polygons[j], Accuracy::Best);
             rows[i][j] = power / polygons[i].area();
             rows[j][i] = power / polygons[j].area();
         }

@@ -11,5 +11,6 @@ mod hybrid;
 mod mesh_split;
 mod methods;
 mod mirrors;
+mod pair;
 mod pictures;
 mod raster;

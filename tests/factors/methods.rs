@@ -8,7 +8,9 @@ use radiosity::form_factor::cast::Cast;
 use radiosity::form_factor::hemicube::Hemicube;
 use radiosity::form_factor::hybrid::Hybrid;
 use radiosity::form_factor::pictures::Pictures;
-use radiosity::form_factor::{FormFactors, exchange_by_contour, named, shortcuts};
+use radiosity::form_factor::{
+    Accuracy, FormFactors, exchange_by_contour, named, shortcuts,
+};
 use radiosity::geometry::Polygon;
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::scene::Scene;
@@ -38,7 +40,7 @@ const METHODS: [(&str, Make, f64); 7] = [
 /// The same for methods that take two whole polygons and know nothing of what is between.
 const PAIR_METHODS: [(&str, OfPair, f64); 4] = [
     // ANCHOR: pair_methods
-    ("exchange", |i, j| exchange(i, j, 1e-300) / i.area(), 1e-12),
+    ("exchange", |i, j| exchange(i, j, Accuracy::Best) / i.area(), 1e-12),
     ("contour", |i, j| by_contour(i, j) / i.area(), 1e-12),
     ("point to point", shortcuts::point_to_point, 0.12),
     ("point to disc", shortcuts::point_to_disc, 0.05),

@@ -5,6 +5,7 @@ use super::rooms::{rectangle, unit_square};
 use super::shapes::lid;
 use super::{Found, Row, Shown, Sweep, curve};
 use glam::{DVec3, dvec3};
+use radiosity::form_factor::Accuracy;
 use radiosity::form_factor::analytic::{exchange, lambert_polygon};
 use radiosity::form_factor::exchange_by_contour;
 use radiosity::form_factor::named::perpendicular_rectangles;
@@ -64,7 +65,9 @@ pub fn sunken() -> Sweep {
             Found::over("not cut", &knobs, |z| {
                 exchange_by_contour(ground.vertices(), wall_from(-z).vertices())
             }),
-            Found::over("ours", &knobs, |z| exchange(&ground, &wall_from(-z), 1e-300)),
+            Found::over("ours", &knobs, |z| {
+                exchange(&ground, &wall_from(-z), Accuracy::Best)
+            }),
         ],
         theory: curve(&knobs, |z| match 1.0 - z {
             0.0 => 0.0,
@@ -87,7 +90,8 @@ pub fn twisted_corners(twist: f64) -> [DVec3; 4] {
 /// What such pieces exchange with the floor below, and their factor.
 pub fn to_the_floor(pieces: &[Polygon]) -> (f64, f64) {
     let floor = unit_square(0.0, true);
-    let exchanged: f64 = pieces.iter().map(|p| exchange(p, &floor, 1e-300)).sum();
+    let exchanged: f64 =
+        pieces.iter().map(|p| exchange(p, &floor, Accuracy::Best)).sum();
     let area: f64 = pieces.iter().map(Polygon::area).sum();
     (exchanged, exchanged / area)
 }

@@ -6,6 +6,7 @@ use super::matrices::from_centre;
 use super::rooms::{rectangle, unit_square};
 use super::{Found, Row, Shown, Sweep, curve};
 use glam::{DVec2, DVec3, dvec3};
+use radiosity::form_factor::Accuracy;
 use radiosity::form_factor::analytic::exchange;
 use radiosity::form_factor::area::kernel;
 use radiosity::form_factor::exchange_by_contour;
@@ -219,8 +220,9 @@ pub fn cancellation() -> Sweep {
         let (i, j) = (unit_square(0.0, true), unit_square(d, false));
         exchange_by_contour(i.vertices(), j.vertices())
     };
-    let ours =
-        |d: f64| exchange(&unit_square(0.0, true), &unit_square(d, false), 1e-300);
+    let ours = |d: f64| {
+        exchange(&unit_square(0.0, true), &unit_square(d, false), Accuracy::Best)
+    };
     Sweep {
         knob: "distance / side",
         quantity: "relative error of F",

@@ -5,6 +5,7 @@ use super::rooms::{black, box_walls, moved, unit_square};
 use super::shapes::squares_with_screen;
 use super::{Found, Row, Shown, Sweep, curve};
 use glam::{DVec2, DVec3, Vec3, dvec3};
+use radiosity::form_factor::Accuracy;
 use radiosity::form_factor::analytic::{Analytic, exchange};
 use radiosity::geometry::{Polygon, Ray};
 use radiosity::mesh::{ElementId, Mesh};
@@ -286,7 +287,8 @@ pub fn mean_visibility() -> Sweep {
     let knobs = [0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9];
     let exact = |edge: f64| past_screen([0.0..edge, 0.0..1.0]);
     let off = |f: f64, edge: f64| 100.0 * (f / exact(edge) - 1.0);
-    let open = exchange(&unit_square(0.0, true), &unit_square(1.0, false), 1e-300);
+    let open =
+        exchange(&unit_square(0.0, true), &unit_square(1.0, false), Accuracy::Best);
     let sees = |edge: f64| match edge < 0.5 {
         true => 1.0 - 2.0 * edge * edge,
         false => 2.0 * (1.0 - edge).powi(2),

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use radiosity::form_factor::analytic::{Analytic, exchange, lambert_polygon};
 use radiosity::form_factor::cast::Cast;
 use radiosity::form_factor::hemicube::Hemicube;
-use radiosity::form_factor::{FormFactors, Lost};
+use radiosity::form_factor::{Accuracy, FormFactors, Lost};
 use radiosity::geometry::Polygon;
 use radiosity::mesh::Mesh;
 
@@ -16,7 +16,7 @@ use radiosity::mesh::Mesh;
 const ROUNDING: f64 = 1e-11;
 
 fn area_f(i: &Polygon, j: &Polygon) -> f64 {
-    exchange(i, j, 1e-300)
+    exchange(i, j, Accuracy::Best)
 }
 
 proptest! {

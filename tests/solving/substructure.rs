@@ -4,6 +4,7 @@ use crate::common::rooms::{
     box_walls, exact_factors, gathered, rectangle, rows, scene, unit_square,
 };
 use glam::{DVec3, dvec3};
+use radiosity::form_factor::Accuracy;
 use radiosity::form_factor::Lost;
 use radiosity::form_factor::analytic::{exchange, lambert_polygon};
 use radiosity::form_factor::hemicube::Hemicube;
@@ -26,8 +27,11 @@ fn exactly(patches: &Mesh) -> impl Fn(&Element, &mut [f64]) -> Lost + Sync {
     move |element, row| {
         for (q, patch) in polygons.iter().enumerate() {
             let same = element.polygon.plane().height(patch.centroid()).abs() < 1e-9;
-            let power =
-                if same { 0.0 } else { exchange(&element.polygon, patch, 1e-300) };
+            let power = if same {
+                0.0
+            } else {
+                exchange(&element.polygon, patch, Accuracy::Best)
+            };
             row[q] = power / element.polygon.area();
         }
         Lost::default()

@@ -3,7 +3,7 @@
 use crate::common::rooms::{black, exact_factors, rows};
 use crate::common::{cases, has_tag, polygon, within};
 use radiosity::form_factor::analytic::Analytic;
-use radiosity::form_factor::{FormFactors, Lost};
+use radiosity::form_factor::{Accuracy, FormFactors, Lost};
 use radiosity::mesh::Mesh;
 
 /// Nine rooms, through the scene and the mesh as a user would: every factor to 1e-9.
@@ -15,7 +15,7 @@ fn matrices_of_convex_rooms() {
         let faces = case["faces"].as_array().unwrap();
         let scene = black(faces.iter().map(|face| polygon(&face["polygon"])));
         let mesh = Mesh::whole(&scene);
-        let method = Analytic::new(&scene, &mesh, 1e-300, 0);
+        let method = Analytic::new(&scene, &mesh, Accuracy::Best, 0);
 
         let pairs = exact_factors(&mesh);
         let gate = if has_tag(case, "extreme") { 1e-6 } else { 1e-9 };

@@ -3,6 +3,7 @@
 use crate::common::rooms::{rectangle, unit_square};
 use crate::common::{cases, has_tag, pieces, point, polygon, within};
 use glam::{DVec3, dvec3};
+use radiosity::form_factor::Accuracy;
 use radiosity::form_factor::analytic::{exchange, lambert_polygon};
 use radiosity::form_factor::named;
 use radiosity::geometry::Polygon;
@@ -36,8 +37,9 @@ fn polygon_to_polygon() {
     let mut wrong = Vec::new();
     for case in &cases {
         let (a, b) = (pieces(&case["A"]), pieces(&case["B"]));
-        let pairs =
-            a.iter().flat_map(|i| b.iter().map(move |j| exchange(i, j, 1e-300)));
+        let pairs = a
+            .iter()
+            .flat_map(|i| b.iter().map(move |j| exchange(i, j, Accuracy::Best)));
         let got = pairs.sum::<f64>() / a.iter().map(Polygon::area).sum::<f64>();
         let expected = case["expected"]["F_AB"].as_f64().unwrap();
         let uncertainty = case["uncertainty_abs"].as_f64().unwrap();
@@ -77,7 +79,7 @@ fn wedges() {
         (175.0, 0.0005902909),
     ] {
         let [a, b] = wedge(angle, 1.0);
-        let got = exchange(&a, &b, 1e-300);
+        let got = exchange(&a, &b, Accuracy::Best);
         assert!((got - expected).abs() < 1e-10, "{angle}°: {got}, not {expected}");
     }
 }
@@ -96,8 +98,11 @@ fn plates() {
         (4.0, 0.63203643001386),
         (10.0, 0.826994522397256),
     ] {
-        let got =
-            exchange(&unit_square(0.0, true), &unit_square(1.0 / ratio, false), 1e-300);
+        let got = exchange(
+            &unit_square(0.0, true),
+            &unit_square(1.0 / ratio, false),
+            Accuracy::Best,
+        );
         assert!((got - expected).abs() < 1e-14, "{ratio}: {got}, not {expected}");
     }
     for (depth, expected) in [
@@ -108,7 +113,7 @@ fn plates() {
         (10.0, 0.055023979528411),
     ] {
         let [a, b] = wedge(90.0, depth);
-        let got = exchange(&a, &b, 1e-300) / a.area();
+        let got = exchange(&a, &b, Accuracy::Best) / a.area();
         assert!((got - expected).abs() < 1e-13, "{depth}: {got}, not {expected}");
     }
 }
@@ -133,7 +138,7 @@ fn slender_strips() {
         let floor = rectangle([[0., 0., 0.], [a, 0., 0.], [a, b, 0.], [0., b, 0.]]);
         for c in [1e-3, 0.1, 1.0, 30.0, 1000.0] {
             let lid = rectangle([[0., 0., c], [0., b, c], [a, b, c], [a, 0., c]]);
-            let got = exchange(&floor, &lid, 1e-300) / floor.area();
+            let got = exchange(&floor, &lid, Accuracy::Best) / floor.area();
             let exact = named::parallel_rectangles(a, b, c);
             assert!(
                 (got - exact).abs() < 1e-10,
@@ -142,7 +147,7 @@ fn slender_strips() {
         }
         for h in [1e-3, 1.0, 1000.0] {
             let wall = rectangle([[0., 0., 0.], [0., 0., h], [a, 0., h], [a, 0., 0.]]);
-            let got = exchange(&floor, &wall, 1e-300) / floor.area();
+            let got = exchange(&floor, &wall, Accuracy::Best) / floor.area();
             let exact = named::perpendicular_rectangles(b, h, a);
             assert!(
                 (got - exact).abs() < 1e-10,

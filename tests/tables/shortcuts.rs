@@ -3,7 +3,7 @@
 use crate::common::{cases, has_tag, within};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use radiosity::form_factor::analytic::{exchange, lambert_polygon};
-use radiosity::form_factor::{named, shortcuts};
+use radiosity::form_factor::{Accuracy, named, shortcuts};
 use radiosity::geometry::Polygon;
 use serde_json::Value;
 
@@ -170,15 +170,17 @@ fn named_pairs_agree_with_the_exact_method() {
     for k in -6..=6 {
         let distance = 10f64.powf(f64::from(k) / 2.0);
         let [i, j] = facing(distance);
-        let (got, named) =
-            (exchange(&i, &j, 1e-300), named::parallel_rectangles(1.0, 1.0, distance));
+        let (got, named) = (
+            exchange(&i, &j, Accuracy::Best),
+            named::parallel_rectangles(1.0, 1.0, distance),
+        );
         assert!(within(got, named, 1e-11, 0.0), "{distance}: {got} {named}");
         let wall = [dvec3(0., 0., 0.), DVec3::X, dvec3(1., 0., distance)];
         let wall = [&wall[..], &[dvec3(0., 0., distance)]].concat();
         let wall = Polygon::new(wall).unwrap().flipped();
         let floor = [DVec3::ZERO, DVec3::X, dvec3(1., 1., 0.), DVec3::Y];
         let floor = Polygon::new(floor.to_vec()).unwrap();
-        let got = exchange(&floor, &wall, 1e-300);
+        let got = exchange(&floor, &wall, Accuracy::Best);
         let named = named::perpendicular_rectangles(1.0, distance, 1.0);
         assert!(within(got, named, 1e-11, 0.0), "wall {distance}: {got} {named}");
     }

@@ -22,7 +22,10 @@ fn a_dividing_wall_leaves_the_halves() {
         let accuracy = 0.1_f64.powi(digits);
         for wall in [wall.clone(), wall.flipped()] {
             let got = form_factor_past(&floor, &lid, &[wall], accuracy);
-            assert!((got - expected).abs() <= accuracy, "{accuracy:e}: {got} {expected}");
+            assert!(
+                (got - expected).abs() <= accuracy,
+                "{accuracy:e}: {got} {expected}"
+            );
         }
     }
 }
@@ -46,7 +49,8 @@ fn scale_and_place_do_not_matter() {
 fn degenerate_pairs_see_nothing_and_degenerate_blockers_hide_nothing() {
     let (floor, lid) = floor_and_lid();
     let beside = moved(&floor, |v| v + DVec3::X);
-    for other in [&floor, &floor.flipped(), &beside, &beside.flipped(), &lid.flipped()] {
+    for other in [&floor, &floor.flipped(), &beside, &beside.flipped(), &lid.flipped()]
+    {
         assert_eq!(form_factor(&floor, other), 0.0);
         assert_eq!(form_factor_past(&floor, other, &[], Accuracy::Best), 0.0);
     }

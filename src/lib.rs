@@ -24,7 +24,6 @@ pub mod form_factor;
 pub mod solve;
 pub mod directional;
 pub mod ways;
-pub mod specular;
 pub mod virtual_world;
 pub mod room;
 pub mod field;

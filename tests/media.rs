@@ -16,14 +16,16 @@ use radiosity::sky::Sky;
 use radiosity::solve::Enclosure;
 use radiosity::trace::{Limits, Options, PathTracer, Strategy, TwoPass, Whitted};
 use radiosity::visibility::Visibility;
-use radiosity::ways::{Event, Media, Meeting, Solids, Ways, ways};
+use radiosity::ways::{
+    Branching, Event, Media, Meeting, Met, Solids, Specular, Ways, ways,
+};
 use std::f64::consts::PI;
 
 /// Nothing is cut but what is far beyond rounding.
 const FAR: Limits = Limits { depth: 60, weight: 1e-14 };
 
 /// Samples of what is drawn by chance.
-const SAMPLES: usize = 4000;
+const SAMPLES: usize = 2000;
 
 /// What a ray sees, by every tracer: what it is called, the radiance, its standard error.
 /// What is cut of the trees is added, as if radiance 1 were found there.
@@ -40,7 +42,27 @@ fn seen(scene: &Scene, ray: Ray, limits: Limits) -> Vec<(&'static str, f64, f64)
     ];
     let trees = trees.map(|(name, found)| (name, found.radiance.x + found.cut.x, 1e-9));
     let tracer = PathTracer::of(&Room::of(scene));
-    let drawn = [("paths", mean(|random| tracer.radiance(ray, random).x))];
+    let walk = Specular::of(scene);
+    let by = |how: Branching, random: &mut Stream| {
+        let mut sum = 0.0;
+        walk.follow((ray, None), how, random, &mut |arrival| {
+            let found = match arrival.met {
+                Met::Surface { surface, front: true, .. } => {
+                    scene.material(&scene.surfaces[surface as usize]).emission() / PI
+                }
+                Met::Sky(d) => scene.sky.as_ref().map_or(Rgb::ZERO, |s| s.radiance(d)),
+                Met::Cut => Rgb::ONE,
+                Met::Surface { .. } => Rgb::ZERO,
+            };
+            sum += (arrival.weight * found).x;
+        });
+        sum
+    };
+    let drawn = [
+        ("paths", mean(|random| tracer.radiance(ray, random).x)),
+        ("a walk, one branch", mean(|random| by(Branching::One, random))),
+        ("a walk, both", mean(|random| by(Branching::Both(1e-3), random))),
+    ];
     let drawn = drawn.map(|(name, (mean, error))| (name, mean, error));
     trees.into_iter().chain(drawn).collect()
 }
@@ -220,7 +242,7 @@ fn no_tracer_makes_light_or_loses_it() {
     let mut point = || dvec3(random.next(), random.next(), random.next()) - 0.5;
     for (what, solids) in arrangements() {
         let scene = shiny(glow().chain(solids));
-        for _ in 0..6 {
+        for _ in 0..4 {
             let origin = 2.5 * point().normalize();
             let direction = (1.2 * point() - origin).normalize();
             let limits = Limits { depth: 30, weight: 1e-3 };

@@ -9,8 +9,8 @@ use crate::mesh::{ElementId, Mesh};
 use crate::random::Stream;
 use crate::room::Direct;
 use crate::scene::Scene;
-use crate::specular::{Arrival, Branching, Carries, Met, Specular};
 use crate::visibility::Visibility;
+use crate::ways::{Arrival, Branching, Met, Specular};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -140,7 +140,7 @@ impl<'a> Gathering<'a> {
         for [c, d] in directions {
             let mut ray = ray_from(from, &frame, [0.0, 0.0, c, d]);
             ray.origin = x;
-            let how = (Branching::One, Carries::Radiance);
+            let how = Branching::One;
             self.rays.follow((ray, None), how, random, &mut |arrival| {
                 self.arrive(arrival, share, found);
             });

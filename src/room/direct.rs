@@ -15,8 +15,8 @@ use crate::geometry::{Polygon, Rgb};
 use crate::radiometry::solid_angle;
 use crate::scene::Scene;
 use crate::sky::{Sky, Sun};
-use crate::specular::Chain;
 use crate::virtual_world::{Sight, VirtualWorld};
+use crate::ways::Chain;
 use glam::DVec3;
 use std::f64::consts::PI;
 

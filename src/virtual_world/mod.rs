@@ -23,7 +23,7 @@
 //! A pane is a mirror on both sides, and a veil that weakens what passes: by angle.
 //!
 //! **Not here:** curved mirrors and solids of glass, which have no image: rays carry their
-//! light ([`crate::specular`]). Chapter *Mirrors and windows* (L17, L18). Sources:
+//! light ([`crate::ways`]). Chapter *Mirrors and windows* (L17, L18). Sources:
 //! Rushmeier & Torrance 1990 and Wallace, Cohen & Greenberg 1987 (extended form factors,
 //! the virtual world); Heckbert & Hanrahan 1984 (beams through windows).
 

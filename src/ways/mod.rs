@@ -13,7 +13,7 @@
 //! | all are followed                   | the tree of rays of [`crate::trace`]         |
 //! | one, [drawn by chance](choose)     | the path tracer of [`crate::trace`]          |
 //! | only the straight one              | [`straight()`]: a lamp seen through panes    |
-//! | either, until the ray is used up   | [`crate::specular`]                          |
+//! | either, until the ray is used up   | [`Specular::follow`]: what arrives           |
 //!
 //! **Media.** The faces of glass that hang together are a solid ([`Solids`]). A ray carries
 //! the solids that it is in ([`Media`]). Where solids overlap, the later one in the file
@@ -21,14 +21,15 @@
 //! one that holds both its sides is not there for a ray. A ray that begins somewhere learns
 //! where it is when it first meets something clear.
 //!
-//! **Not here:** following rays ([`crate::specular`], [`crate::trace`]); images in flat
-//! mirrors ([`crate::virtual_world`]), which need no rays. Chapter *Mirrors and windows*
-//! (L17, L18). Sources: Fresnel 1823; Veach 1997 (radiance in media); Schmidt & Budge 2002
+//! **Not here:** pictures ([`crate::trace`]); images in flat mirrors
+//! ([`crate::virtual_world`]), which need no rays. Chapter *Mirrors and windows* (L17, L18). Sources: Fresnel 1823; Veach 1997 (radiance in media); Whitted 1980; Schmidt & Budge 2002
 //! (overlapping solids, by rank).
 
+mod follow;
 mod media;
 mod solids;
 
+pub use follow::{Arrival, Branching, Chain, MOST_BOUNCES, Met, Specular};
 pub use media::Media;
 pub use solids::Solids;
 

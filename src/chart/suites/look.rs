@@ -12,8 +12,8 @@ use crate::raster::View;
 use crate::room::Room;
 use crate::scene::{Scene, built_in};
 use crate::solution::{Goal, Solution, solve_from};
-use crate::specular::{Branching, Carries, Met, Specular};
 use crate::trace::{Limits, Options, PathTracer, Strategy, TwoPass, Whitted};
+use crate::ways::{Branching, Met, Specular};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -193,7 +193,7 @@ impl Eye<'_> {
     /// All that a ray shows; `None` if a lamp is among it.
     fn ends(&self, ray: &Ray) -> Option<Vec<End>> {
         let (mut ends, mut lit) = (vec![], false);
-        let how = (Branching::Both(FAINT), Carries::Radiance);
+        let how = Branching::Both(FAINT);
         let mut random = Stream::named(0, &[]);
         self.rays.follow((*ray, None), how, &mut random, &mut |arrival| {
             if let Met::Surface { surface, point, front: true, .. } = arrival.met {

@@ -127,7 +127,7 @@ impl Sheet {
     }
 
     // Writing to a string cannot fail.
-    fn text(&mut self, x: f64, y: f64, anchor: &str, style: &str, text: &str) {
+    fn text(&mut self, [x, y]: [f64; 2], anchor: &str, style: &str, text: &str) {
         let _ = writeln!(
             self.svg,
             "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\"{style}>{text}</text>"
@@ -154,14 +154,14 @@ impl Sheet {
             self.rule([left, self.y(v)], [right, self.y(v)], whole);
         }
         for v in self.across.decades().collect::<Vec<_>>() {
-            self.text(self.x(v), bottom + 18.0, "middle", "", &number(v));
+            self.text([self.x(v), bottom + 18.0], "middle", "", &number(v));
         }
         for v in self.upward.decades().collect::<Vec<_>>() {
-            self.text(left - 6.0, self.y(v) + 4.0, "end", "", &number(v));
+            self.text([left - 6.0, self.y(v) + 4.0], "end", "", &number(v));
         }
-        self.text(left + width / 2.0, bottom + 40.0, "middle", "", across);
+        self.text([left + width / 2.0, bottom + 40.0], "middle", "", across);
         let turned = format!(" transform=\"rotate(-90 14 {:.1})\"", top + height / 2.0);
-        self.text(14.0, top + height / 2.0, "middle", &turned, upward);
+        self.text([14.0, top + height / 2.0], "middle", &turned, upward);
     }
 
     fn line(&mut self, at: &[[f64; 2]], style: &str) {
@@ -209,7 +209,7 @@ impl Sheet {
              stroke-width=\"2\" stroke-dasharray=\"2 5\"/>"
         );
         let said = "the truth is known to here";
-        self.text(left + 6.0, y - 5.0, "start", HALO, said);
+        self.text([left + 6.0, y - 5.0], "start", HALO, said);
         self.taken.push([left + 6.0, y - 9.0, 175.0]);
     }
 
@@ -228,7 +228,7 @@ impl Sheet {
         self.taken.push([start, y, width]);
         let (x, anchor) = if after { (start, "start") } else { (x - 8.0, "end") };
         let colour = COLOURS[of % COLOURS.len()];
-        self.text(x, y + 4.0, anchor, &format!("{HALO} fill=\"{colour}\""), text);
+        self.text([x, y + 4.0], anchor, &format!("{HALO} fill=\"{colour}\""), text);
     }
 }
 

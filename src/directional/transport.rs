@@ -23,6 +23,14 @@ pub struct Transport {
     lost: Vec<Lost>,
 }
 
+/// What the rays of a beam start from and meet, and how many they are.
+struct BeamRays<'m> {
+    polygons: Vec<&'m Polygon>,
+    surfaces: Visibility,
+    rays: usize,
+    seed: u64,
+}
+
 impl Transport {
     /// By so many rays (positive) from each beam of each element of `mesh`.
     ///
@@ -40,24 +48,18 @@ impl Transport {
         let mut transport = Transport { bins, areas, frames, rows, lost };
         let surfaces = Visibility::new(polygons.iter().copied());
         let beams = 0..(polygons.len() * bins.len()) as u32;
-        let row = |beam: u32| {
-            let from = polygons[beam as usize / bins.len()];
-            transport.row(from, beam, &surfaces, rays, seed)
-        };
+        let how = BeamRays { polygons, surfaces, rays, seed };
+        let row = |beam| transport.row(beam, &how);
         (transport.rows, transport.lost) = beams.into_par_iter().map(row).unzip();
         transport
     }
 
-    fn row(
-        &self,
-        from: &Polygon,
-        beam: u32,
-        surfaces: &Visibility,
-        rays: usize,
-        seed: u64,
-    ) -> (Vec<(u32, f64)>, Lost) {
+    /// What a beam sends to others, and what of it reaches no front.
+    fn row(&self, beam: u32, how: &BeamRays) -> (Vec<(u32, f64)>, Lost) {
+        let &BeamRays { ref polygons, ref surfaces, rays, seed } = how;
         let m = self.bins.len() as u32;
         let (patch, bin) = (beam / m, beam % m);
+        let from = polygons[patch as usize];
         let (mut met, mut lost) = (Vec::new(), Lost::default());
         let share = 1.0 / rays as f64;
         // ANCHOR: rays

@@ -73,7 +73,7 @@ pub(super) fn outlines(
     let mut path = PathBuilder::new();
     for id in shown {
         for (a, b) in mesh.elements[id as usize].polygon.edges() {
-            visible_parts(&mut path, view, items, id, a, b);
+            visible_parts(&mut path, view, items, id, [a, b]);
         }
     }
     let mut page = Page::of(&picture);
@@ -87,8 +87,7 @@ fn visible_parts(
     view: &View,
     items: &ItemBuffer,
     id: u32,
-    a: DVec3,
-    b: DVec3,
+    [a, b]: [DVec3; 2],
 ) {
     let (width, height) = (items.width(), items.height());
     let place = |p: DVec3| {

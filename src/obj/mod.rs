@@ -50,7 +50,7 @@ pub use export::export;
 
 use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material};
-use crate::scene::{Face, MaterialId, Scene, SceneError, Warning};
+use crate::scene::{Face, FaceId, MaterialId, Scene, SceneError, Warning};
 use glam::DVec3;
 use std::path::{Path, PathBuf};
 use std::{fmt, fs, io};
@@ -129,33 +129,16 @@ pub fn read(
     let scan = scan::scan(path, bytes)?;
     let used = scan.uses.iter().map(|(name, _)| &name[..]).collect();
     let mut library = mtl::read(path, &scan.libraries, &used, &open)?;
-    for (name, line) in &scan.uses {
-        if !library.knows(name) {
-            let remedy = "define it with `newmtl` in a file named by `mtllib`";
-            let message = format!("there is no material `{name}`; {remedy}");
-            return Err(ObjError::new(path, *line, message));
-        }
-    }
-    let mut warnings = scan.warnings;
+    check_uses(path, &scan.uses, &mut library)?;
     let (faces, used) = faces(path, &scan.text, &library)?;
+    let mut warnings = scan.warnings.clone();
     warnings.extend(library.warnings(&used));
-
     let mut materials = library.materials;
-    let default = MaterialId(materials.len() as u32);
-    let unnamed = faces.iter().filter(|face| face.material == default).count();
-    if unnamed > 0 {
-        let diffuse = Rgb::splat(DEFAULT_REFLECTANCE);
-        let coefficients = Coefficients { diffuse, ..Default::default() };
-        let grey = Material::new("default", coefficients);
-        materials.push(grey.map_err(|error| ObjError::new(path, None, error))?);
-        warnings.push(format!(
-            "{}faces without `usemtl`: {unnamed}; they reflect {DEFAULT_REFLECTANCE}",
-            at(path, None)
-        ));
-    }
-    let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let line = |face: crate::scene::FaceId| scan.faces[face].0;
+    let line = |face: FaceId| scan.faces[face].0;
+    warnings.extend(add_default(path, &faces, &mut materials)?);
     warnings.extend(solid::warnings(path, &faces, &materials, |k| scan.faces[k].0));
+
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let (mut scene, repairs) = Scene::assemble(name, materials, faces, scan.camera)
         .map_err(|error| match error {
             SceneError::Face { face, reason } => {
@@ -181,12 +164,51 @@ pub fn read(
             warnings.push(at(path, Some(*line)) + sky::NOT_UNDERSTOOD);
         }
     }
+    Ok((scene, abridged(path, warnings)))
+}
+
+/// Refuses a `usemtl` that names what no library defines.
+fn check_uses(
+    path: &Path,
+    uses: &[(String, usize)],
+    library: &mut mtl::Library,
+) -> Result<(), ObjError> {
+    let unknown = uses.iter().find(|(name, _)| !library.knows(name));
+    let Some((name, line)) = unknown else { return Ok(()) };
+    let remedy = "define it with `newmtl` in a file named by `mtllib`";
+    let message = format!("there is no material `{name}`; {remedy}");
+    Err(ObjError::new(path, *line, message))
+}
+
+/// Adds the material of faces that name none, if there are any, and tells of it.
+fn add_default(
+    path: &Path,
+    faces: &[Face],
+    materials: &mut Vec<Material>,
+) -> Result<Option<String>, ObjError> {
+    let default = MaterialId(materials.len() as u32);
+    let unnamed = faces.iter().filter(|face| face.material == default).count();
+    if unnamed == 0 {
+        return Ok(None);
+    }
+    let diffuse = Rgb::splat(DEFAULT_REFLECTANCE);
+    let coefficients = Coefficients { diffuse, ..Default::default() };
+    let grey = Material::new("default", coefficients);
+    materials.push(grey.map_err(|error| ObjError::new(path, None, error))?);
+    Ok(Some(format!(
+        "{}faces without `usemtl`: {unnamed}; they reflect {DEFAULT_REFLECTANCE}",
+        at(path, None)
+    )))
+}
+
+/// The first warnings, and how many more there are.
+fn abridged(path: &Path, mut warnings: Vec<String>) -> Vec<String> {
     if warnings.len() > MOST_WARNINGS {
         let more = warnings.len() - MOST_WARNINGS;
         warnings.truncate(MOST_WARNINGS);
         warnings.push(format!("{}{more} more warnings like these", at(path, None)));
     }
-    Ok((scene, warnings))
+    warnings
 }
 
 /// The faces in file order, as tobj reads them, and which materials they use.

@@ -80,26 +80,7 @@ pub(super) fn scan(file: &Path, bytes: &[u8]) -> Result<Scan, ObjError> {
                 scan.uses.push((rest.into(), statement.line));
             }
             "mtllib" => scan.libraries.push((rest.into(), statement.line)),
-            _ if statement.is_comment() => {
-                if let Some(sky) = statement.text.strip_prefix("# sky ") {
-                    // Whatever else is said of the sky is no description of one.
-                    if SKIES.iter().any(|kind| sky.starts_with(kind)) {
-                        scan.sky = Some((sky.into(), statement.line));
-                    }
-                }
-                let camera = statement.text.strip_prefix("# camera ");
-                let camera = camera.map(without_comment);
-                if let Some(camera) = camera.filter(|text| text.starts_with("eye ")) {
-                    scan.camera = parse_camera(camera);
-                    if scan.camera.is_none() {
-                        scan.warnings.push(format!(
-                            "{}this camera is not understood and ignored; write `# camera \
-                             eye x y z target x y z up x y z fov degrees`",
-                            at(file, Some(statement.line))
-                        ));
-                    }
-                }
-            }
+            _ if statement.is_comment() => scan.comment(file, &statement),
             _ if HARMLESS.contains(&key) => {}
             _ if unknown.iter().any(|known| known == key) => {}
             _ => {
@@ -108,16 +89,40 @@ pub(super) fn scan(file: &Path, bytes: &[u8]) -> Result<Scan, ObjError> {
             }
         }
     }
-    if scan.faces.is_empty() {
-        let what = if bytes.iter().all(u8::is_ascii_whitespace) {
-            "is empty"
-        } else {
-            "has no face"
-        };
-        let message = format!("{what}; a scene needs at least one `f` statement");
-        return Err(ObjError::new(file, None, message));
+    match scan.faces.is_empty() {
+        true => Err(no_face(file, bytes)),
+        false => Ok(scan),
     }
-    Ok(scan)
+}
+
+fn no_face(file: &Path, bytes: &[u8]) -> ObjError {
+    let empty = bytes.iter().all(u8::is_ascii_whitespace);
+    let what = if empty { "is empty" } else { "has no face" };
+    let message = format!("{what}; a scene needs at least one `f` statement");
+    ObjError::new(file, None, message)
+}
+
+impl Scan {
+    /// Takes up what a comment says of the sky or the camera.
+    fn comment(&mut self, file: &Path, statement: &Statement) {
+        if let Some(sky) = statement.text.strip_prefix("# sky ") {
+            // Whatever else is said of the sky is no description of one.
+            if SKIES.iter().any(|kind| sky.starts_with(kind)) {
+                self.sky = Some((sky.into(), statement.line));
+            }
+        }
+        let camera = statement.text.strip_prefix("# camera ").map(without_comment);
+        if let Some(camera) = camera.filter(|text| text.starts_with("eye ")) {
+            self.camera = parse_camera(camera);
+            if self.camera.is_none() {
+                self.warnings.push(format!(
+                    "{}this camera is not understood and ignored; write `# camera \
+                     eye x y z target x y z up x y z fov degrees`",
+                    at(file, Some(statement.line))
+                ));
+            }
+        }
+    }
 }
 
 fn not_read(file: &Path, statement: &Statement) -> String {

@@ -86,8 +86,8 @@ fn certificates_tell_more_by_more_points() {
 /// need none of it.
 #[test]
 fn directions_cost_more_than_they_gain() {
-    let cut: (&[f64], &[u32]) = (&[0.5, 0.25], &[1, 4]);
-    let trials = directional::run(cut, &[0.1], &[8.0], 64, &Bench::SILENT);
+    let others: [&[f64]; 2] = [&[0.1], &[8.0]];
+    let trials = directional::run(&[0.5, 0.25], &[1, 4], others, 64, &Bench::SILENT);
     let run = |patches: &str, bins| find(&trials, &format!("{patches} patches"), bins);
     for (patches, n) in [("28", 28), ("96", 96)] {
         let (one, many) = (run(patches, 1.0), run(patches, 16.0));

@@ -60,15 +60,16 @@ fn measure(bench: &Bench) -> Vec<Trial> {
     // Longest edges of the patches, m; bins along an edge of the chessboard.
     let (edges, sides) = ([0.5, 0.25, 0.125], [1, 2, 4, 8, 16]);
     let paths = [2.0, 8.0, 32.0, 128.0, 512.0];
-    run((&edges, &sides), &[0.1, 0.05, 0.02], &paths, 1000, bench)
+    let tolerances = [0.1, 0.05, 0.02];
+    run(&edges, &sides, [&tolerances, &paths], 1000, bench)
 }
 
 /// Patches with these `edges`, `side²` bins for each of `sides`; two passes at `tolerances`;
 /// `paths` for each pixel, and so many, twice, in what counts as true.
 pub fn run(
-    (edges, sides): (&[f64], &[u32]),
-    tolerances: &[f64],
-    paths: &[f64],
+    edges: &[f64],
+    sides: &[u32],
+    [tolerances, paths]: [&[f64]; 2],
     truth: usize,
     bench: &Bench,
 ) -> Vec<Trial> {

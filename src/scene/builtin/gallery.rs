@@ -47,13 +47,13 @@ fn shell(builder: &mut Builder) {
     let pane = builder.shiny("pane", Rgb::ZERO, Rgb::ZERO, clear);
 
     let plan @ [a, b, c, d] = [(0.0, 0.0), (0.0, 5.0), (6.0, 5.0), (6.0, 0.0)];
-    builder.level(&plan, 3.0, polished, white);
+    builder.level(&plan, 3.0, [polished, white]);
     let window = Hole { left: 0.14, right: 0.62, low: 0.8, high: 2.6 };
-    let outline = builder.pierced_wall(white, a, b, 3.0, window);
+    let outline = builder.pierced_wall(white, [a, b], 3.0, window);
     builder.face(pane, &outline);
-    builder.wall(white, b, c, 3.0);
-    builder.wall(red, c, d, 3.0);
-    builder.wall(white, d, a, 3.0);
+    builder.wall(white, [b, c], 3.0);
+    builder.wall(red, [c, d], 3.0);
+    builder.wall(white, [d, a], 3.0);
     let lamps = [[1.1, 1.5], [3.0, 3.4], [4.9, 5.3]];
     for [left, right] in lamps {
         let corners = [(left, 2.0), (right, 2.0), (right, 2.4), (left, 2.4)];

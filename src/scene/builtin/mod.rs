@@ -33,7 +33,7 @@ use glam::{DVec3, dvec3};
 use std::fmt;
 
 /// A built-in scene, by name.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct BuiltIn {
     /// The name by which the command knows it.
     pub name: &'static str,
@@ -45,87 +45,92 @@ pub struct BuiltIn {
 
 /// All built-in scenes.
 pub fn builtins() -> Vec<BuiltIn> {
-    let scene = |name, about, make| BuiltIn { name, about, make };
-    vec![
-        scene("cornell", "the Cornell box as measured, in metres", cornell::measured),
-        scene(
-            "cornell-regular",
-            "the Cornell box with right angles, light of radiosity 1",
-            cornell::regular,
-        ),
-        scene(
-            "furnace",
-            "closed unit cube, E = 1, reflectance 0.5, so B = 2; furnace:RHO takes any \
-             reflectance in [0, 1)",
-            || rooms::furnace(0.5).expect("0.5 is passive"),
-        ),
-        scene(
-            "facing-squares",
-            "two unit squares face to face at distance 1, one emits; open",
-            rooms::facing_squares,
-        ),
-        scene(
-            "l-room",
-            "closed L-shaped room, its lamp round the corner",
-            rooms::l_room,
-        ),
-        scene(
-            "indirect-room",
-            "closed room that no lamp shines into: all light is reflected",
-            rooms::indirect_room,
-        ),
-        scene(
-            "mirror-room",
-            "closed room, one wall a perfect mirror: half of a room twice as deep",
-            shiny::mirror_room,
-        ),
-        scene(
-            "mirror-corridor",
-            "two mirrors face to face along a corridor: images without end",
-            shiny::mirror_corridor,
-        ),
-        scene(
-            "cornell-mirror",
-            "the Cornell box, its tall block a mirror",
-            cornell::with_mirror,
-        ),
-        scene(
-            "cornell-pane",
-            "the Cornell box, a pane of glass before its blocks",
-            cornell::with_pane,
-        ),
-        scene(
-            "glazed-room",
-            "room with a glazed window under an overcast sky",
-            shiny::glazed_room,
-        ),
-        scene(
-            "sky-room",
-            "the same room, its window open, under a uniform sky",
-            shiny::sky_room,
-        ),
-        scene(
-            "translucent-screen",
-            "room divided by a paper screen, all its lamps behind it",
-            shiny::translucent_screen,
-        ),
-        scene(
-            "glossy-floor",
-            "room with a polished floor that smears a lamp and blocks",
-            shiny::glossy_floor,
-        ),
-        scene(
-            "glass-ball",
-            "room with a ball of glass that gathers the light of a lamp",
-            shiny::glass_ball,
-        ),
-        scene(
-            "gallery",
-            "all of it: mirror, panes, screen, polished floor, ball, daylight",
-            gallery::gallery,
-        ),
-    ]
+    BUILT_INS.to_vec()
 }
+
+const fn scene(
+    name: &'static str,
+    about: &'static str,
+    make: fn() -> Scene,
+) -> BuiltIn {
+    BuiltIn { name, about, make }
+}
+
+const BUILT_INS: [BuiltIn; 16] = [
+    scene("cornell", "the Cornell box as measured, in metres", cornell::measured),
+    scene(
+        "cornell-regular",
+        "the Cornell box with right angles, light of radiosity 1",
+        cornell::regular,
+    ),
+    scene(
+        "furnace",
+        "closed unit cube, E = 1, reflectance 0.5, so B = 2; furnace:RHO takes any \
+         reflectance in [0, 1)",
+        || rooms::furnace(0.5).expect("0.5 is passive"),
+    ),
+    scene(
+        "facing-squares",
+        "two unit squares face to face at distance 1, one emits; open",
+        rooms::facing_squares,
+    ),
+    scene("l-room", "closed L-shaped room, its lamp round the corner", rooms::l_room),
+    scene(
+        "indirect-room",
+        "closed room that no lamp shines into: all light is reflected",
+        rooms::indirect_room,
+    ),
+    scene(
+        "mirror-room",
+        "closed room, one wall a perfect mirror: half of a room twice as deep",
+        shiny::mirror_room,
+    ),
+    scene(
+        "mirror-corridor",
+        "two mirrors face to face along a corridor: images without end",
+        shiny::mirror_corridor,
+    ),
+    scene(
+        "cornell-mirror",
+        "the Cornell box, its tall block a mirror",
+        cornell::with_mirror,
+    ),
+    scene(
+        "cornell-pane",
+        "the Cornell box, a pane of glass before its blocks",
+        cornell::with_pane,
+    ),
+    scene(
+        "glazed-room",
+        "room with a glazed window under an overcast sky",
+        shiny::glazed_room,
+    ),
+    scene(
+        "sky-room",
+        "the same room, its window open, under a uniform sky",
+        shiny::sky_room,
+    ),
+    scene(
+        "translucent-screen",
+        "room divided by a paper screen, all its lamps behind it",
+        shiny::translucent_screen,
+    ),
+    scene(
+        "glossy-floor",
+        "room with a polished floor that smears a lamp and blocks",
+        shiny::glossy_floor,
+    ),
+    scene(
+        "glass-ball",
+        "room with a ball of glass that gathers the light of a lamp",
+        shiny::glass_ball,
+    ),
+    scene(
+        "gallery",
+        "all of it: mirror, panes, screen, polished floor, ball, daylight",
+        gallery::gallery,
+    ),
+];
 
 /// Why there is no built-in scene of some name.
 #[derive(Clone, Debug, PartialEq)]
@@ -141,7 +146,7 @@ impl fmt::Display for BuiltInError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             BuiltInError::Unknown(name) => {
-                let names: Vec<&str> = builtins().iter().map(|b| b.name).collect();
+                let names: Vec<&str> = BUILT_INS.iter().map(|b| b.name).collect();
                 let names = names.join(", ");
                 write!(f, "there is no built-in scene `{name}`; choose one of {names}")
             }
@@ -164,7 +169,7 @@ pub fn built_in(name: &str) -> Result<Scene, BuiltInError> {
         let rho = given.parse().ok().and_then(rooms::furnace);
         return rho.ok_or_else(|| BuiltInError::Reflectance(given.into()));
     }
-    match builtins().iter().find(|b| b.name == name) {
+    match BUILT_INS.iter().find(|b| b.name == name) {
         Some(scene) => Ok((scene.make)()),
         None => Err(BuiltInError::Unknown(name.into())),
     }
@@ -175,6 +180,9 @@ fn material(name: &str, emission: Rgb, diffuse: Rgb) -> Material {
     let coefficients = Coefficients { emission, diffuse, ..Default::default() };
     Material::new(name, coefficients).expect("built-in materials are passive")
 }
+
+/// A corner of a plan, `(x, z)`.
+type Corner = (f64, f64);
 
 /// Faces and materials as they are put together, one call a face.
 #[derive(Default)]
@@ -208,47 +216,38 @@ impl Builder {
         MaterialId(self.materials.len() as u32 - 1)
     }
 
-    /// A closed room over `plan`, corners `(x, z)` counter-clockwise seen from above (the
+    /// A closed room over `plan`, corners counter-clockwise seen from above (the
     /// z-axis down the page, so `(0, 0)`, `(0, 1)`, `(1, 1)`), fronts inwards: the floor,
     /// the ceiling at `height`, then one wall for each edge of the plan.
     fn room(
         &mut self,
-        plan: &[(f64, f64)],
+        plan: &[Corner],
         height: f64,
-        floor: MaterialId,
-        ceiling: MaterialId,
+        [floor, ceiling]: [MaterialId; 2],
         walls: &[MaterialId],
     ) {
         debug_assert_eq!(plan.len(), walls.len(), "one material for each wall");
-        self.level(plan, height, floor, ceiling);
+        self.level(plan, height, [floor, ceiling]);
         for (k, &wall) in walls.iter().enumerate() {
-            let (a, b) = (plan[k], plan[(k + 1) % plan.len()]);
-            self.wall(wall, a, b, height);
+            self.wall(wall, [plan[k], plan[(k + 1) % plan.len()]], height);
         }
     }
 
     /// The floor and the ceiling over `plan`.
     fn level(
         &mut self,
-        plan: &[(f64, f64)],
+        plan: &[Corner],
         height: f64,
-        floor: MaterialId,
-        ceiling: MaterialId,
+        [floor, ceiling]: [MaterialId; 2],
     ) {
-        let at = |y: f64| move |&(x, z): &(f64, f64)| dvec3(x, y, z);
+        let at = |y: f64| move |&(x, z): &Corner| dvec3(x, y, z);
         self.face(floor, &plan.iter().map(at(0.0)).collect::<Vec<_>>());
         self.face(ceiling, &plan.iter().rev().map(at(height)).collect::<Vec<_>>());
     }
 
-    /// The wall along the edge of a plan from `a` to `b`, `(x, z)`.
-    fn wall(
-        &mut self,
-        material: MaterialId,
-        a: (f64, f64),
-        b: (f64, f64),
-        height: f64,
-    ) {
-        let at = |(x, z): (f64, f64), y| dvec3(x, y, z);
+    /// The wall along the edge of a plan from `a` to `b`.
+    fn wall(&mut self, material: MaterialId, [a, b]: [Corner; 2], height: f64) {
+        let at = |(x, z): Corner, y| dvec3(x, y, z);
         self.face(material, &[at(b, 0.0), at(a, 0.0), at(a, height), at(b, height)]);
     }
 
@@ -256,8 +255,7 @@ impl Builder {
     fn pierced_wall(
         &mut self,
         material: MaterialId,
-        a: (f64, f64),
-        b: (f64, f64),
+        [a, b]: [Corner; 2],
         height: f64,
         hole: Hole,
     ) -> [DVec3; 4] {
@@ -294,12 +292,12 @@ impl Builder {
 
     /// A block that stands on the floor, fronts outwards: its top and its sides. It has no
     /// underside, as the blocks of the Cornell box have none.
-    fn block(&mut self, plan: &[(f64, f64)], height: f64, material: MaterialId) {
+    fn block(&mut self, plan: &[Corner], height: f64, material: MaterialId) {
         self.block_on(plan, [0.0, height], material);
     }
 
     /// A block that stands on another one: between two heights.
-    fn block_on(&mut self, plan: &[(f64, f64)], y: [f64; 2], material: MaterialId) {
+    fn block_on(&mut self, plan: &[Corner], y: [f64; 2], material: MaterialId) {
         let at = |k: usize, y: f64| {
             let (x, z) = plan[k % plan.len()];
             dvec3(x, y, z)

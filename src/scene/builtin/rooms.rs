@@ -23,7 +23,7 @@ pub(super) fn furnace(rho: f64) -> Option<Scene> {
     let mut builder = Builder::default();
     let glowing = builder.material("glowing", Rgb::ONE, Rgb::splat(rho));
     let plan = [(0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0)];
-    builder.room(&plan, 1.0, glowing, glowing, &[glowing; 4]);
+    builder.room(&plan, 1.0, [glowing, glowing], &[glowing; 4]);
     let camera = Camera {
         eye: dvec3(0.9, 0.6, 0.92),
         target: dvec3(0.5, 0.5, 0.5),
@@ -65,7 +65,12 @@ pub(super) fn l_room() -> Scene {
     let yellow = builder.material("yellow", Rgb::ZERO, Rgb::new(0.75, 0.55, 0.15));
     let lamp = builder.material("lamp", Rgb::new(100.0, 90.0, 75.0), Rgb::splat(0.5));
     let plan = [(0.0, 0.0), (0.0, 5.0), (2.0, 5.0), (2.0, 2.0), (5.0, 2.0), (5.0, 0.0)];
-    builder.room(&plan, 2.6, wood, white, &[blue, white, white, white, yellow, white]);
+    builder.room(
+        &plan,
+        2.6,
+        [wood, white],
+        &[blue, white, white, white, yellow, white],
+    );
     let panel = [(3.4, 0.6), (4.4, 0.6), (4.4, 1.4), (3.4, 1.4)];
     builder.face(lamp, &panel.map(|(x, z)| dvec3(x, 2.6, z)));
     let camera = Camera {
@@ -101,7 +106,7 @@ pub(super) fn indirect_room() -> Scene {
         (4.0, 0.0),
     ];
     let walls = [white, white, rose, white, white, white, white, blue];
-    builder.room(&plan, 2.8, wood, white, &walls);
+    builder.room(&plan, 2.8, [wood, white], &walls);
     let panel = [(0.5, 0.6), (2.3, 0.6), (2.3, 1.8), (0.5, 1.8)];
     builder.face(lamp, &panel.map(|(y, z)| dvec3(4.1, y, z)));
     builder.block(&[(2.3, 1.2), (1.9, 2.1), (2.8, 2.5), (3.2, 1.6)], 0.75, white);

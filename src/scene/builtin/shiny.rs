@@ -39,7 +39,7 @@ pub(super) fn mirror_room() -> Scene {
     let shine = Shine::Mirror { reflectance: Rgb::ONE };
     let mirror = builder.shiny("mirror", Rgb::ZERO, Rgb::ZERO, shine);
     let plan = [(0.0, 0.0), (0.0, 3.0), (4.0, 3.0), (4.0, 0.0)];
-    builder.room(&plan, 2.6, wood, white, &[red, white, green, mirror]);
+    builder.room(&plan, 2.6, [wood, white], &[red, white, green, mirror]);
     builder.face(lamp, &panel([1.4, 2.4], 2.6, [1.6, 2.4]));
     builder.block(&[(0.7, 0.6), (0.5, 1.3), (1.2, 1.5), (1.4, 0.8)], 0.7, white);
     let camera = looking(dvec3(2.9, 1.5, 2.8), dvec3(1.7, 1.05, 0.0), 72.0);
@@ -57,7 +57,7 @@ pub(super) fn mirror_corridor() -> Scene {
     let shine = Shine::Mirror { reflectance: Rgb::new(0.9, 0.9, 0.88) };
     let mirror = builder.shiny("mirror", Rgb::ZERO, Rgb::ZERO, shine);
     let plan = [(0.0, 0.0), (0.0, 5.0), (2.0, 5.0), (2.0, 0.0)];
-    builder.room(&plan, 2.4, wood, white, &[mirror, white, mirror, blue]);
+    builder.room(&plan, 2.4, [wood, white], &[mirror, white, mirror, blue]);
     builder.face(lamp, &panel([0.7, 1.3], 2.4, [1.2, 3.0]));
     builder.block(&[(0.8, 1.0), (0.6, 1.5), (1.1, 1.7), (1.3, 1.2)], 0.9, red);
     let camera = looking(dvec3(1.8, 1.5, 4.7), dvec3(0.2, 0.75, 1.2), 60.0);
@@ -72,12 +72,12 @@ fn daylight(name: &str, sky: Sky, glass: Option<Shine>, camera: Camera) -> Scene
     let green = builder.material("green", Rgb::ZERO, GREEN);
     let red = builder.material("red", Rgb::ZERO, RED);
     let plan @ [a, b, c, d] = [(0.0, 0.0), (0.0, 4.0), (5.0, 4.0), (5.0, 0.0)];
-    builder.level(&plan, 2.8, wood, white);
+    builder.level(&plan, 2.8, [wood, white]);
     let hole = Hole { left: 0.2, right: 0.8, low: 0.9, high: 2.4 };
-    let outline = builder.pierced_wall(white, a, b, 2.8, hole);
-    builder.wall(white, b, c, 2.8);
-    builder.wall(green, c, d, 2.8);
-    builder.wall(white, d, a, 2.8);
+    let outline = builder.pierced_wall(white, [a, b], 2.8, hole);
+    builder.wall(white, [b, c], 2.8);
+    builder.wall(green, [c, d], 2.8);
+    builder.wall(white, [d, a], 2.8);
     builder.block(&[(1.5, 1.2), (1.5, 2.4), (2.9, 2.4), (2.9, 1.2)], 0.75, wood);
     builder.block(&[(3.6, 0.5), (3.5, 1.2), (4.2, 1.3), (4.3, 0.6)], 1.5, red);
     if let Some(shine) = glass {
@@ -115,7 +115,7 @@ pub(super) fn translucent_screen() -> Scene {
     let through = Rgb::new(0.45, 0.42, 0.34);
     let paper = builder.shiny("paper", grey(0.4), through, Shine::Dull);
     let plan = [(0.0, 0.0), (0.0, 4.0), (4.0, 4.0), (4.0, 0.0)];
-    builder.room(&plan, 2.6, wood, white, &[rose, white, blue, white]);
+    builder.room(&plan, 2.6, [wood, white], &[rose, white, blue, white]);
     builder.face(lamp, &panel([1.6, 2.4], 2.6, [0.3, 0.9]));
     let sheet = [(3.4, 0.05), (0.6, 0.05), (0.6, 2.1), (3.4, 2.1)];
     builder.face(paper, &sheet.map(|(x, y)| dvec3(x, y, 1.6)));
@@ -136,7 +136,7 @@ pub(super) fn glossy_floor() -> Scene {
     let polished =
         builder.shiny("polished", Rgb::new(0.30, 0.22, 0.15), Rgb::ZERO, shine);
     let plan = [(0.0, 0.0), (0.0, 4.0), (4.0, 4.0), (4.0, 0.0)];
-    builder.room(&plan, 2.6, polished, white, &[red, white, blue, white]);
+    builder.room(&plan, 2.6, [polished, white], &[red, white, blue, white]);
     let low = [(1.4, 0.5), (2.6, 0.5), (2.6, 1.3), (1.4, 1.3)];
     builder.face(lamp, &low.map(|(x, y)| dvec3(x, y, 0.0)));
     builder.face(lamp, &panel([1.6, 2.4], 2.6, [1.8, 2.6]));
@@ -156,7 +156,7 @@ pub(super) fn glass_ball() -> Scene {
     let shine = Shine::Glass { index: 1.5, tint: Rgb::ONE };
     let glass = builder.shiny("glass", Rgb::ZERO, Rgb::ZERO, shine);
     let plan = [(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)];
-    builder.room(&plan, 2.0, white, white, &[red, white, green, white]);
+    builder.room(&plan, 2.0, [white, white], &[red, white, green, white]);
     builder.face(lamp, &panel([0.8, 1.1], 2.0, [0.7, 1.0]));
     builder.ball(dvec3(1.1, 0.6, 0.9), 0.4, 12, glass);
     let camera = looking(dvec3(1.0, 1.0, 1.95), dvec3(1.0, 0.75, 0.5), 70.0);

@@ -8,23 +8,52 @@
 //! Sources: Haines & Wallace 1991 (shaft culling); Andrew 1979 (convex hulls).
 
 use super::blocker::Blocker;
-use crate::geometry::{Frame, Plane, Polygon};
+use crate::geometry::{Frame, Plane, Polygon, bounds};
 use crate::material::Shine;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 use glam::DVec3;
 use std::collections::HashMap;
+use std::sync::OnceLock;
 
 /// The surfaces of a scene as what stands in the way.
 #[derive(Debug)]
 pub struct Blockers {
+    /// What can stand between surfaces.
+    within: Standing,
+    /// All opaque sheets: what can hide a lamp that is far away. Made when it is asked for.
+    from_outside: OnceLock<Standing>,
+    opaque: Vec<Polygon>,
+    bounds: (DVec3, DVec3),
+    walls: Vec<Polygon>,
+    wall_of: Vec<u32>,
+    margin: f64,
+}
+
+/// Blockers, to be found by where they are.
+struct Standing {
     blockers: Vec<Blocker>,
     /// All sheets of all blockers, and whose they are.
     sheets: Visibility,
     owner: Vec<u32>,
-    walls: Vec<Polygon>,
-    wall_of: Vec<u32>,
-    margin: f64,
+}
+
+impl Standing {
+    fn of(sheets: &[Polygon], margin: f64) -> Standing {
+        let (blockers, owner) = solids(sheets, margin);
+        Standing { blockers, sheets: Visibility::new(sheets), owner }
+    }
+
+    /// Those that reach into the shaft, always in one order.
+    fn within(&self, shaft: &Shaft) -> Vec<&Blocker> {
+        let mut found = Vec::new();
+        let outside = |low, high| shaft.misses_box(low, high);
+        self.sheets.visit(outside, |sheet| found.push(self.owner[sheet as usize]));
+        found.sort_unstable();
+        found.dedup();
+        let blockers = found.iter().map(|&k| &self.blockers[k as usize]);
+        blockers.filter(|b| !shaft.misses(b)).collect()
+    }
 }
 
 impl Blockers {
@@ -48,21 +77,28 @@ impl Blockers {
             };
             heights().any(|h| h > margin) && heights().any(|h| h < -margin)
         };
-        let mut sheets = Vec::new();
-        for (wall, tiles) in walls.iter().zip(&tiles) {
-            if pane(tiles[0]) || !blocks(wall) {
-                continue;
-            }
+        let (mut between, mut opaque) = (Vec::new(), Vec::new());
+        for (wall, tiles) in walls.iter().zip(&tiles).filter(|(_, t)| !pane(t[0])) {
+            let first = opaque.len();
             let area: f64 = tiles.iter().map(|&t| surfaces[t].area()).sum();
             if (wall.area() - area).abs() <= 1e-9 * area {
-                sheets.push(wall.clone());
+                opaque.push(wall.clone());
             } else {
-                sheets.extend(tiles.iter().map(|&t| surfaces[t].clone()));
+                opaque.extend(tiles.iter().map(|&t| surfaces[t].clone()));
+            }
+            if blocks(wall) {
+                between.extend_from_slice(&opaque[first..]);
             }
         }
-        let (blockers, owner) = solids(&sheets, margin);
-        let sheets = Visibility::new(&sheets);
-        Blockers { blockers, sheets, owner, walls, wall_of, margin }
+        Blockers {
+            within: Standing::of(&between, margin),
+            from_outside: OnceLock::new(),
+            opaque,
+            bounds: scene.bounds(),
+            walls,
+            wall_of,
+            margin,
+        }
     }
 
     /// Convex outlines that hold whole walls: each surface lies in one.
@@ -70,9 +106,9 @@ impl Blockers {
         &self.walls
     }
 
-    /// Everything that can stand in the way.
+    /// Everything that can stand between surfaces.
     pub fn all(&self) -> &[Blocker] {
-        &self.blockers
+        &self.within.blockers
     }
 
     /// In which of the [`Blockers::walls`] a surface lies.
@@ -81,18 +117,26 @@ impl Blockers {
     }
 
     /// All that may hide some of one polygon from some of the other, always in one order.
+    /// Where one of them lies outside the scene, walls around the scene may, too.
     pub fn between(&self, i: &Polygon, j: &Polygon) -> Vec<&Blocker> {
-        if self.blockers.is_empty() {
+        let outside = [i, j].into_iter().any(|p| self.is_outside(p));
+        let standing = match outside {
+            false => &self.within,
+            true => self
+                .from_outside
+                .get_or_init(|| Standing::of(&self.opaque, self.margin)),
+        };
+        if standing.blockers.is_empty() {
             return Vec::new();
         }
-        let shaft = Shaft::between(i, j, self.margin);
-        let mut found = Vec::new();
-        let outside = |low, high| shaft.misses_box(low, high);
-        self.sheets.visit(outside, |sheet| found.push(self.owner[sheet as usize]));
-        found.sort_unstable();
-        found.dedup();
-        let blockers = found.iter().map(|&k| &self.blockers[k as usize]);
-        blockers.filter(|b| !shaft.misses(b)).collect()
+        standing.within(&Shaft::between(i, j, self.margin))
+    }
+
+    /// Does any of it lie outside the box that holds the scene?
+    fn is_outside(&self, polygon: &Polygon) -> bool {
+        let (low, high) = bounds(polygon.vertices().iter().copied());
+        low.cmplt(self.bounds.0 - self.margin).any()
+            || high.cmpgt(self.bounds.1 + self.margin).any()
     }
 
     /// Those of `blockers` that reach into the shaft.

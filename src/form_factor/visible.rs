@@ -12,6 +12,13 @@ use crate::radiometry::projected_solid_angle;
 use glam::DVec3;
 use std::f64::consts::PI;
 
+/// Less than this share of what is seen past nothing is rounding.
+const SLIVER: f64 = 1e-12;
+
+/// So is less than this share of the angle that the target fills, in rad: a factor is a sum
+/// of angles of its edges, which cancel where it is seen edge-on.
+const ROUNDING: f64 = 1e-15;
+
 // ANCHOR: lambert_visible
 /// Form factor from a differential area at `p` to what it sees of `target`.
 ///
@@ -35,12 +42,10 @@ pub fn lambert_visible(
     for blocker in blockers {
         blocker.hidden_cones(p, target, &mut cones);
     }
-    match &cones[..] {
-        [] => factor(target.vertices()),
-        [cone] => {
-            let hidden = inside(target.vertices(), cone);
-            (factor(target.vertices()) - factor(&hidden)).max(0.0)
-        }
+    let all = factor(target.vertices());
+    let sum = match &cones[..] {
+        [] => all,
+        [cone] => all - factor(&inside(target.vertices(), cone)),
         cones => {
             // ANCHOR: cut_cones
             let mut seen = vec![Outline::from(target.vertices())];
@@ -52,7 +57,11 @@ pub fn lambert_visible(
             seen.iter().map(|piece| factor(piece)).sum()
             // ANCHOR_END: cut_cones
         }
-    }
+    };
+    // Slivers that rounding leaves between two cones let no light through.
+    let v = target.vertices();
+    let rounding = ROUNDING * (v[0].distance(v[2]) / p.distance(v[0])).min(1.0);
+    if sum > (SLIVER * all).max(rounding) { sum } else { 0.0 }
 }
 // ANCHOR_END: lambert_visible
 

@@ -31,6 +31,12 @@ const RAYS: f64 = 512.0;
 /// mirrors show as images.
 const RAYS_BENT: f64 = 2048.0;
 
+/// More cells of one hemicube that show the sky are no cracks between outlines.
+const MOST_CRACKS: usize = 64;
+
+/// Off the middle of a cell, where regular outlines may meet; far less than a cell.
+const BESIDE: DVec3 = DVec3::new(1.9e-6, 2.9e-6, 3.7e-6);
+
 /// What a point sees by mirrors and through panes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SpecularView {
@@ -82,6 +88,19 @@ impl<'a> SpecularTransport<'a> {
             backs: shines().map(|shine| shine.passes()).collect(),
             sky: scene.sky.is_some(),
         }
+    }
+
+    /// Drops the cells that do not show the sky: where two outlines meet, the item buffer may
+    /// leave a cell open that a ray finds closed. Many cells are no cracks.
+    pub fn close_cracks(&self, point: DVec3, cells: &mut Vec<(DVec3, f64)>) {
+        if cells.len() > MOST_CRACKS {
+            return;
+        }
+        cells.retain(|&(direction, _)| {
+            let ray =
+                Ray { origin: point, direction: (direction + BESIDE).normalize() };
+            self.rays.visibility().closest(&ray, None).is_none()
+        });
     }
 
     /// The light of the sky in these cells, W/m².

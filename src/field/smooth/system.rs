@@ -102,7 +102,8 @@ impl<'a> System<'a> {
 
     /// What a point with this unit normal sees.
     pub fn seen_from(&self, point: DVec3, normal: DVec3) -> CornerRow {
-        let view = self.patches.hemicubes.seen_from(point, normal);
+        let mut view = self.patches.hemicubes.seen_from(point, normal);
+        self.specular.close_cracks(point, &mut view.sky);
         let first = self.first.irradiance(&view);
         let sky = self.specular.sky(&view.sky);
         let onwards = match view.followed.is_empty() {

@@ -52,8 +52,6 @@ impl Hit {
 pub struct Visibility {
     triangles: Vec<Triangle>,
     nodes: Vec<Node>,
-    /// Distances below this are rounding, in scene units.
-    rounding: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -61,7 +59,12 @@ struct Triangle {
     corners: [DVec3; 3],
     normal: DVec3,
     item: u32,
+    /// Heights over its plane below this are rounding, in scene units.
+    rounding: f64,
 }
+
+/// Of the largest coordinate: below it a height over a plane is rounding.
+const ROUNDING: f64 = 1e-13;
 
 #[derive(Clone, Debug)]
 struct Node {
@@ -84,12 +87,13 @@ impl Visibility {
             let v = polygon.vertices();
             for k in 1..v.len() - 1 {
                 let corners = [v[0], v[k], v[k + 1]];
-                triangles.push(Triangle { corners, normal: polygon.normal(), item });
+                let reach = corners.iter().map(|c| c.abs().max_element());
+                let rounding = ROUNDING * reach.fold(0.0, f64::max);
+                let normal = polygon.normal();
+                triangles.push(Triangle { corners, normal, item, rounding });
             }
         }
-        let points = triangles.iter().flat_map(|t| t.corners);
-        let reach = points.fold(0.0_f64, |m, p| m.max(p.abs().max_element()));
-        let mut all = Visibility { triangles, nodes: vec![], rounding: 1e-13 * reach };
+        let mut all = Visibility { triangles, nodes: vec![] };
         if !all.triangles.is_empty() {
             all.build(0..all.triangles.len());
         }
@@ -117,8 +121,7 @@ impl Visibility {
                 continue;
             }
             for triangle in self.of_leaf(node) {
-                if Some(triangle.item) == leaving || triangle.holds(ray, self.rounding)
-                {
+                if Some(triangle.item) == leaving || triangle.holds(ray) {
                     continue;
                 }
                 let Some(distance) = shear.meets(ray.origin, triangle) else {
@@ -224,7 +227,8 @@ impl Triangle {
     }
 
     /// Does the ray start in the triangle's plane? Then it cannot cross it.
-    fn holds(&self, ray: &Ray, rounding: f64) -> bool {
+    fn holds(&self, ray: &Ray) -> bool {
+        let rounding = self.rounding.max(ROUNDING * ray.origin.abs().max_element());
         self.normal.dot(ray.origin - self.corners[0]).abs() <= rounding
     }
 }

@@ -59,7 +59,7 @@ impl Standing {
 impl Blockers {
     /// Those of a scene.
     pub fn of(scene: &Scene) -> Blockers {
-        let margin = 1e-9 * scene.diagonal();
+        let margin = scene.rounding();
         let surfaces: Vec<&Polygon> =
             scene.surfaces.iter().map(|s| &s.polygon).collect();
         // Light goes through panes: no wall has any, and none blocks.
@@ -334,7 +334,9 @@ fn side(a: DVec3, b: DVec3, c: DVec3, i: &Polygon, j: &Polygon) -> Option<Plane>
     if length <= 1e-12 * size * size {
         return None;
     }
-    let plane = Plane::through(a, across / length);
+    // Through the point that has the smaller coordinates: a lamp may be far away.
+    let near = if c.length_squared() < a.length_squared() { c } else { a };
+    let plane = Plane::through(near, across / length);
     let rounding = 1e-12 * size;
     let (mut above, mut below) = (false, false);
     for &v in i.vertices().iter().chain(j.vertices()) {

@@ -15,8 +15,9 @@ pub(super) struct Builder {
 }
 
 impl Builder {
-    /// An empty mesh of a scene of this size.
-    pub(super) fn new(planes: Arc<Planes>, diagonal: f64) -> Builder {
+    /// An empty mesh of a scene with these planes.
+    pub(super) fn new(planes: Arc<Planes>) -> Builder {
+        let welder = Welder::new(planes.rounding);
         let mesh = Mesh {
             patches: vec![],
             elements: vec![],
@@ -24,13 +25,12 @@ impl Builder {
             anchors: vec![],
             planes,
         };
-        Builder { mesh, welder: Welder::new(diagonal) }
+        Builder { mesh, welder }
     }
 
     /// A mesh without elements that has the vertices of `old`, under the same ids.
     pub(super) fn over(old: &Mesh) -> Builder {
-        let (low, high) = crate::geometry::bounds(old.vertices.iter().copied());
-        let mut builder = Builder::new(Arc::clone(&old.planes), low.distance(high));
+        let mut builder = Builder::new(Arc::clone(&old.planes));
         builder.mesh.vertices.clone_from(&old.vertices);
         for element in &old.elements {
             let (surface, middle) =
@@ -123,10 +123,10 @@ struct Welder {
 }
 
 impl Welder {
-    fn new(diagonal: f64) -> Welder {
+    fn new(rounding: f64) -> Welder {
         // Far above rounding, far below any element; no round number, so that
         // coordinates do not lie on the border between two quanta.
-        Welder { known: HashMap::new(), quantum: 1.2345e-8 * diagonal }
+        Welder { known: HashMap::new(), quantum: 12.345 * rounding }
     }
 
     fn quanta(&self, at: DVec3) -> [i64; 3] {

@@ -18,6 +18,8 @@ use std::ops::Range;
 pub(super) struct Planes {
     group_of: Vec<u32>,
     contacts: Vec<Contacts>,
+    /// See [`Scene::rounding`].
+    pub(super) rounding: f64,
 }
 
 /// The contact lines in one plane.
@@ -37,17 +39,21 @@ struct Contact {
     sliver: f64,
 }
 
-/// An edge hovers when it is nearer than this share of the scene's diagonal, and longer.
+/// What is near, and what is small, is told by the size of the scene, but of no more of it
+/// than this many times the surfaces of the plane.
+const LARGER: f64 = 10.0;
+
+/// An edge hovers when it is nearer than this share of that size, and longer.
 /// What is farther away casts shadows that elements resolve; what is shorter is part of
 /// something round.
 const HOVERS: f64 = 1e-2;
 
-/// What such an edge cuts off is wider than this share of the scene's diagonal.
+/// What such an edge cuts off is wider than this share of that size.
 const HOVERS_INSIDE: f64 = 1e-4;
 
 impl Planes {
     pub(super) fn of(scene: &Scene) -> Planes {
-        let margin = 1e-7 * scene.diagonal();
+        let margin = 100.0 * scene.rounding();
         let mut groups: HashMap<(MaterialId, [i64; 4]), u32> = HashMap::new();
         let mut planes: Vec<(Plane, Vec<&Polygon>)> = Vec::new();
         let mut group_of = Vec::new();
@@ -63,17 +69,21 @@ impl Planes {
             planes[group as usize].1.push(&surface.polygon);
             group_of.push(group);
         }
+        let diagonal = scene.diagonal();
         let others: Vec<(&Polygon, (DVec3, DVec3))> = scene
             .surfaces
             .iter()
             .map(|s| (&s.polygon, bounds(s.polygon.vertices().iter().copied())))
             .collect();
         let contacts = planes.iter().map(|(plane, own)| {
-            let near = [HOVERS, HOVERS_INSIDE].map(|share| share * scene.diagonal());
+            let (low, high) =
+                bounds(own.iter().flat_map(|p| p.vertices().iter().copied()));
+            let size = diagonal.min(LARGER * low.distance(high));
+            let near = [HOVERS, HOVERS_INSIDE].map(|share| share * size);
             let lines = contact_lines(*plane, own, &others, margin, near);
             Contacts { lines, margin }
         });
-        Planes { contacts: contacts.collect(), group_of }
+        Planes { contacts: contacts.collect(), group_of, rounding: scene.rounding() }
     }
 
     /// The group of a surface of the scene, and its contact lines.

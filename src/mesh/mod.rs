@@ -93,7 +93,7 @@ pub struct Mesh {
 impl Mesh {
     /// One element for each surface of the scene.
     pub fn whole(scene: &Scene) -> Mesh {
-        let mut builder = Builder::new(Arc::new(Planes::of(scene)), scene.diagonal());
+        let mut builder = Builder::new(Arc::new(Planes::of(scene)));
         for (id, surface) in (0u32..).zip(&scene.surfaces) {
             builder.add(id, surface, [surface.polygon.clone()]);
         }
@@ -125,7 +125,7 @@ impl Mesh {
         scene: &Scene,
         patches: impl IntoIterator<Item = (u32, Vec<Polygon>)>,
     ) -> Mesh {
-        let mut builder = Builder::new(Arc::new(Planes::of(scene)), scene.diagonal());
+        let mut builder = Builder::new(Arc::new(Planes::of(scene)));
         for (id, elements) in patches {
             builder.add(id, &scene.surfaces[id as usize], elements);
         }
@@ -139,7 +139,7 @@ impl Mesh {
     ) -> Mesh {
         assert!(max_edge > 0.0, "max_edge must be positive: {max_edge}");
         let planes = Arc::new(Planes::of(scene));
-        let mut builder = Builder::new(Arc::clone(&planes), scene.diagonal());
+        let mut builder = Builder::new(Arc::clone(&planes));
         for (id, surface) in (0u32..).zip(&scene.surfaces) {
             let (_, contacts) = planes.of_surface(id);
             let cells = grid::cells(&surface.polygon, max_edge).into_iter();

@@ -4,7 +4,7 @@
 //! openings. Where an opening is flat and convex and the whole scene lies on one side of it,
 //! it is a window: the sky behind it can be summed as a lamp's light is.
 
-use crate::geometry::{Frame, Polygon, Ray};
+use crate::geometry::{Frame, Polygon, Ray, Rgb};
 use crate::radiometry::cosine_direction;
 use crate::random::Stream;
 use crate::scene::{Scene, Side, Surface};
@@ -17,7 +17,7 @@ const RAYS: usize = 4000;
 
 /// The openings of a scene, facing inwards; none when the sky is also seen otherwise.
 pub(super) fn portals(scene: &Scene) -> Vec<Polygon> {
-    let margin = 1e-6 * scene.diagonal();
+    let margin = 1e3 * scene.rounding();
     // Light goes through panes and glass: they close nothing.
     let closes =
         |s: &&Surface| s.side == Side::Front && !scene.material(s).shine().passes();
@@ -26,9 +26,10 @@ pub(super) fn portals(scene: &Scene) -> Vec<Polygon> {
     let visibility = Visibility::new(solid.iter().copied());
     let inwards = |p: Polygon| {
         let above = |p: &Polygon| {
-            solid
+            scene
+                .surfaces
                 .iter()
-                .flat_map(|q| q.vertices())
+                .flat_map(|s| s.polygon.vertices())
                 .all(|&v| p.plane().height(v) >= -margin)
         };
         [p.flipped(), p].into_iter().find(above)
@@ -41,7 +42,14 @@ pub(super) fn portals(scene: &Scene) -> Vec<Polygon> {
     let loops = loops(&free_edges(&solid, margin), margin);
     let flat = loops.into_iter().filter_map(|outline| Polygon::new(outline).ok());
     let found: Vec<Polygon> = flat.filter_map(inwards).filter(is_open).collect();
-    if !found.is_empty() && all_leave_by(&found, &solid, &visibility) {
+    // The other sides of sheets, and panes that scatter, see the sky, too.
+    let more = scene.surfaces.iter().filter(|s| {
+        let material = scene.material(s);
+        !closes(s) && material.scattered() != Rgb::ZERO
+    });
+    let seeing: Vec<&Polygon> =
+        solid.iter().copied().chain(more.map(|s| &s.polygon)).collect();
+    if !found.is_empty() && all_leave_by(&found, &seeing, &visibility) {
         found
     } else {
         Vec::new()
@@ -49,9 +57,9 @@ pub(super) fn portals(scene: &Scene) -> Vec<Polygon> {
 }
 
 /// Do rays from all surfaces that leave the scene leave by one of these?
-fn all_leave_by(portals: &[Polygon], solid: &[&Polygon], all: &Visibility) -> bool {
-    let each = (RAYS / solid.len()).max(16);
-    solid.iter().enumerate().all(|(k, polygon)| {
+fn all_leave_by(portals: &[Polygon], seeing: &[&Polygon], all: &Visibility) -> bool {
+    let each = (RAYS / seeing.len()).max(16);
+    seeing.iter().enumerate().all(|(k, polygon)| {
         let frame = Frame::about(polygon.normal());
         Stream::named(0, &[k as u64]).points(each).all(|[a, b, c, d]| {
             let origin = polygon.point_at([a, b]);

@@ -2,7 +2,7 @@
 
 use super::{Camera, Face, FaceId, MaterialId, Scene, Side, Surface, overlap};
 use crate::geometry::{PolygonError, Rgb, split};
-use crate::material::Material;
+use crate::material::{Material, Shine};
 use std::collections::HashMap;
 use std::fmt;
 
@@ -106,7 +106,8 @@ impl Scene {
     /// Faces that are not convex or not planar are [split](split()). Where coplanar faces
     /// that look the same way overlap by more than rounding, the smaller one wins (the
     /// earlier of two equal ones): the other loses the part beneath, so no two surfaces
-    /// fight for the same points. It is then cut into convex pieces around the winner; a
+    /// fight for the same points. (A pane or a sheet that lets light through stands a hair
+    /// before it instead, and nothing is lost.) It is then cut into convex pieces around the winner; a
     /// face with nothing left still counts as a face, of area 0. Faces back to back and
     /// faces that share an edge do not overlap. Without a `camera` it gets
     /// [`Camera::showing`] its surfaces, the y-axis up.
@@ -144,7 +145,13 @@ impl Scene {
             };
             surfaces.extend(polygons.into_iter().map(surface));
         }
-        let surfaces = overlap::settled(surfaces, faces.len(), &mut warnings);
+        let passes = |s: &Surface| {
+            let material = &materials[s.material.0 as usize];
+            matches!(material.shine(), Shine::Pane { .. })
+                || material.translucence() != Rgb::ZERO
+        };
+        overlap::stand_before(&mut surfaces, &passes);
+        let surfaces = overlap::settled(surfaces, faces.len(), &passes, &mut warnings);
         let camera =
             camera.unwrap_or_else(|| Camera::showing(&surfaces, glam::DVec3::Y));
         let mut scene =

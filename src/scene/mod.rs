@@ -145,6 +145,19 @@ impl Scene {
         low.distance(high)
     }
 
+    /// Lengths below this are rounding, in scene units.
+    ///
+    /// A billionth of the diagonal: what coordinates with few digits leave between corners
+    /// that are meant to coincide. And no more than a hundred-thousandth of the smallest
+    /// surface, so that what lies far off, such as wide ground, joins nothing here.
+    pub fn rounding(&self) -> f64 {
+        let sizes = self.surfaces.iter().map(|s| {
+            let (low, high) = bounds(s.polygon.vertices().iter().copied());
+            low.distance(high)
+        });
+        (1e-9 * self.diagonal()).min(1e-5 * sizes.fold(f64::INFINITY, f64::min))
+    }
+
     /// Does any surface mirror, gloss or let light through in directions of its own, so
     /// that it looks different from different places?
     pub fn shines(&self) -> bool {

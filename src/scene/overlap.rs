@@ -3,22 +3,31 @@
 //! A poster drawn on a wall, a lamp in the plane of the ceiling. Both would claim the same
 //! points, and rounding would decide pixel by pixel (z-fighting). Candidates are found by
 //! a sweep along the longest side of the scene, so that large scenes stay cheap.
+//!
+//! A face that lets light through takes nothing from what lies in its plane: a pane on a
+//! lamp stands before it, and light meets both.
 
 use super::{FaceId, Surface, Warning};
 use crate::geometry::{Plane, Polygon, bounds};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
+use std::collections::HashMap;
 
 /// Distances below this share of the scene's diagonal are rounding: OBJ exporters write
 /// six decimals, which in a room of 5 m is 1e-7 of it.
 const ROUNDING: f64 = 1e-6;
 
+/// Of the diagonal no more counts than this many times the smaller of two surfaces.
+const LARGER: f64 = 1e3;
+
 /// The surfaces with all overlaps cut out of the larger faces, in order of faces.
 pub(super) fn settled(
     surfaces: Vec<Surface>,
     faces: usize,
+    passes: &dyn Fn(&Surface) -> bool,
     warnings: &mut Vec<Warning>,
 ) -> Vec<Surface> {
-    let pairs = overlapping(&surfaces);
+    let mut pairs = overlapping(&surfaces, &|a, b| a.dot(b) > SAME);
+    pairs.retain(|&(i, j)| passes(&surfaces[i]) == passes(&surfaces[j]));
     if pairs.is_empty() {
         return surfaces;
     }
@@ -36,7 +45,7 @@ pub(super) fn settled(
         let (winner, loser) = if first_wins { (i, j) } else { (j, i) };
         winners[loser].push(winner);
     }
-    let tolerance = tolerance(&surfaces);
+    let diagonal = diagonal(&surfaces);
     let mut lost: Vec<(FaceId, FaceId, f64)> = Vec::new();
     let mut left = Vec::with_capacity(surfaces.len());
     for (surface, mut winners) in surfaces.iter().zip(winners) {
@@ -44,6 +53,7 @@ pub(super) fn settled(
         let mut pieces = vec![(surface.polygon.clone(), extent(&surface.polygon))];
         for winner in winners.iter().map(|&w| &surfaces[w]) {
             let hole = (&winner.polygon, extent(&winner.polygon));
+            let tolerance = tolerance(&extent(&surface.polygon), &hole.1, diagonal);
             let touched =
                 pieces.extract_if(.., |piece| !apart(&piece.1, &hole.1, tolerance));
             let touched: Vec<_> = touched.map(|piece| piece.0).collect();
@@ -72,10 +82,48 @@ pub(super) fn settled(
     left
 }
 
-/// Pairs of surfaces of different faces that overlap in one plane, front to front.
-fn overlapping(surfaces: &[Surface]) -> Vec<(usize, usize)> {
+/// So much before what it lies on stands a face that lets light through, as a share of its
+/// diameter: no more than light may leak by, far more than rounding.
+const BEFORE: f64 = 1e-6;
+
+/// Moves faces that let light through, as `passes` says, before the fronts of what lies in
+/// their planes and does not.
+pub(super) fn stand_before(
+    surfaces: &mut [Surface],
+    passes: &dyn Fn(&Surface) -> bool,
+) {
+    if !surfaces.iter().any(passes) {
+        return;
+    }
+    let mut moves: HashMap<FaceId, DVec3> = HashMap::new();
+    for (i, j) in overlapping(surfaces, &|a, b| a.dot(b).abs() > SAME) {
+        let (a, b) = (&surfaces[i], &surfaces[j]);
+        let (before, behind) = match (passes(a), passes(b)) {
+            (true, false) => (a, b),
+            (false, true) => (b, a),
+            _ => continue,
+        };
+        let by = BEFORE * before.polygon.diameter() * behind.polygon.normal();
+        moves.entry(before.face).or_insert(by);
+    }
+    for surface in surfaces.iter_mut() {
+        if let Some(&by) = moves.get(&surface.face) {
+            surface.polygon = surface.polygon.moved(&DAffine3::from_translation(by));
+        }
+    }
+}
+
+/// Do two normals with this cosine look the same way?
+const SAME: f64 = 0.999;
+
+/// Pairs of surfaces of different faces that overlap in one plane and whose normals are
+/// `alike`.
+fn overlapping(
+    surfaces: &[Surface],
+    alike: &dyn Fn(DVec3, DVec3) -> bool,
+) -> Vec<(usize, usize)> {
     let boxes: Vec<Extent> = surfaces.iter().map(|s| extent(&s.polygon)).collect();
-    let tolerance = tolerance(surfaces);
+    let diagonal = diagonal(surfaces);
     let (low, high) = bounds(boxes.iter().flat_map(|b| [b.0, b.1]));
     let axis = (high - low).max_position();
     let mut order: Vec<usize> = (0..surfaces.len()).collect();
@@ -88,8 +136,10 @@ fn overlapping(surfaces: &[Surface]) -> Vec<(usize, usize)> {
                 break; // and so do all that follow
             }
             let (a, b) = (&surfaces[i], &surfaces[j]);
+            let tolerance = tolerance(&boxes[i], &boxes[j], diagonal);
             if a.face != b.face
                 && !apart(&boxes[i], &boxes[j], tolerance)
+                && alike(a.polygon.normal(), b.polygon.normal())
                 && overlap(&a.polygon, &b.polygon, tolerance)
             {
                 pairs.push((i, j));
@@ -111,21 +161,24 @@ fn apart(a: &Extent, b: &Extent, gap: f64) -> bool {
     a.0.cmpgt(b.1 + gap).any() || b.0.cmpgt(a.1 + gap).any()
 }
 
-/// What counts as rounding, in scene units.
-fn tolerance(surfaces: &[Surface]) -> f64 {
+fn diagonal(surfaces: &[Surface]) -> f64 {
     let corners = surfaces.iter().flat_map(|s| s.polygon.vertices().iter().copied());
     let (low, high) = bounds(corners);
-    ROUNDING * low.distance(high)
+    low.distance(high)
 }
 
-/// Do the two lie in one plane, look the same way, and share more than an edge?
+/// What counts as rounding between surfaces in these boxes, in scene units.
+fn tolerance(a: &Extent, b: &Extent, diagonal: f64) -> f64 {
+    let smaller = a.0.distance(a.1).min(b.0.distance(b.1));
+    ROUNDING * diagonal.min(LARGER * smaller)
+}
+
+/// Do the two lie in one plane and share more than an edge?
 fn overlap(a: &Polygon, b: &Polygon, tolerance: f64) -> bool {
     let in_plane_of = |a: &Polygon, b: &Polygon| {
         b.vertices().iter().all(|&v| a.plane().height(v).abs() <= tolerance)
     };
-    a.normal().dot(b.normal()) > 0.999
-        && (in_plane_of(a, b) || in_plane_of(b, a))
-        && common(a, b, tolerance).is_some()
+    (in_plane_of(a, b) || in_plane_of(b, a)) && common(a, b, tolerance).is_some()
 }
 
 /// What two coplanar polygons have in common, if it is wider than rounding.

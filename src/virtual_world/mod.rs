@@ -124,7 +124,7 @@ impl VirtualWorld {
     /// reflections. A level that would need more than 20 000 images is left out:
     /// [`VirtualWorld::levels`] tells how many there are.
     pub fn of(scene: &Scene, levels: u32) -> VirtualWorld {
-        let margin = 1e-9 * scene.diagonal();
+        let margin = scene.rounding();
         let (mirrors, panes) = mirrors_of(scene, margin);
         let mut mirror_of = vec![None; scene.surfaces.len()];
         for (k, mirror) in (0u32..).zip(&mirrors) {

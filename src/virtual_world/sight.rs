@@ -5,7 +5,7 @@ use super::{Image, Pane, VirtualWorld};
 use crate::form_factor::{Blocker, Shaft, lambert_visible, parted, visible_parts};
 use crate::geometry::{Outline, Plane, Polygon, Rgb};
 use crate::radiometry::projected_solid_angle;
-use glam::{DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 use smallvec::SmallVec;
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -135,27 +135,27 @@ impl VirtualWorld {
         }
         sight.blockers.extend(found.iter().map(|b| b.moved(unfold)));
         // ANCHOR_END: leg
-        let before =
-            if leg < image.mirrors.len() { None } else { Some(target.plane()) };
-        let ends: Vec<Plane> = ends.into_iter().chain(before).collect();
-        self.add_veils(&from, to, &ends, unfold, sight);
+        if !self.panes.is_empty() {
+            let last = leg == image.mirrors.len();
+            let before = last.then(|| target.plane());
+            let shaft = Shaft::between(&from, to, self.margin);
+            self.add_veils(&shaft, &ends, before, unfold, sight);
+        }
     }
 
+    /// Adds the panes in the shaft of a leg, between the mirrors at its `ends` and, on the
+    /// last leg, before the plane of the target.
     fn add_veils(
         &self,
-        from: &Polygon,
-        to: &Polygon,
+        shaft: &Shaft,
         ends: &[Plane],
-        unfold: &glam::DAffine3,
+        before: Option<Plane>,
+        unfold: &DAffine3,
         sight: &mut Sight,
     ) {
-        if self.panes.is_empty() {
-            return;
-        }
-        let shaft = Shaft::between(from, to, self.margin);
         for pane in &self.panes {
-            let mut rest = Some(pane.outline.clone());
-            for &end in ends {
+            let mut rest = Some(self.standing_before(&pane.outline, before));
+            for &end in ends.iter().chain(&before) {
                 let high = |v: &DVec3| end.height(*v) > self.margin;
                 rest = rest
                     .filter(|p| p.vertices().iter().any(high))
@@ -166,6 +166,21 @@ impl VirtualWorld {
             };
             sight.veils.push(Veil { outline: rest.moved(unfold), pane: pane.clone() });
         }
+    }
+
+    /// A pane that lies in the plane of a target stands a hair before it, as one that fills
+    /// an opening: light passes both.
+    fn standing_before(&self, pane: &Polygon, target: Option<Plane>) -> Polygon {
+        let flush = |plane: &Plane| {
+            pane.vertices().iter().all(|&v| plane.height(v).abs() <= self.margin)
+        };
+        target.filter(flush).map_or_else(
+            || pane.clone(),
+            |plane| {
+                let hair = 2.0 * self.margin * plane.normal;
+                pane.moved(&DAffine3::from_translation(hair))
+            },
+        )
     }
 }
 

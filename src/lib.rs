@@ -20,6 +20,7 @@ pub mod obj;
 pub mod mesh;
 pub mod raster;
 pub mod visibility;
+pub mod occlusion;
 pub mod form_factor;
 pub mod solve;
 pub mod directional;

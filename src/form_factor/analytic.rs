@@ -21,12 +21,10 @@
 
 use super::contour::exchange_by_contour;
 use super::quadrature::{over, points_for};
-use super::visible::lambert_visible;
-use super::{
-    Accuracy, Blocker, Blockers, FormFactors, Lost, Matrix, Row, lost_by_rays,
-};
+use super::{Accuracy, FormFactors, Lost, Matrix, Row, lost_by_rays};
 use crate::geometry::Polygon;
 use crate::mesh::{ElementId, Mesh};
+use crate::occlusion::{Blocker, Blockers, lambert_visible};
 use crate::radiometry::projected_solid_angle;
 use crate::scene::Scene;
 use crate::visibility::Visibility;

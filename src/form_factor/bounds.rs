@@ -8,9 +8,10 @@
 //! end, for the upper bound only. No point is sampled, so nothing can be missed.
 
 use super::analytic::{Analytic, exchange};
-use super::{Accuracy, Blocker, Blockers};
+use super::Accuracy;
 use crate::geometry::Polygon;
 use crate::mesh::ElementId;
+use crate::occlusion::{Blocker, Blockers};
 
 impl Analytic {
     /// Two numbers, in scene units squared, between which `A_i F_ij` lies for certain (but

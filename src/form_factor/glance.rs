@@ -10,8 +10,8 @@
 
 use super::analytic::exchange;
 use super::quadrature::points;
-use super::{Blockers, lambert_visible};
 use crate::geometry::Polygon;
+use crate::occlusion::{Blockers, lambert_visible};
 use glam::{DMat2, DVec2, DVec3};
 use smallvec::SmallVec;
 

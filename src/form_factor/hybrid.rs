@@ -22,9 +22,10 @@
 use super::analytic::Analytic;
 use super::hemicube::{Hemicube, aliasing_error};
 use super::shortcuts::size;
-use super::{Blockers, FormFactors, Lost};
+use super::{FormFactors, Lost};
 use crate::geometry::Polygon;
 use crate::mesh::{ElementId, Mesh};
+use crate::occlusion::Blockers;
 use crate::scene::Scene;
 use std::f64::consts::PI;
 

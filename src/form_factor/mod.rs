@@ -18,15 +18,14 @@
 //! | [`shortcuts`] | textbook rules are to be judged       | near by; and they see no blocker |
 //! | [`named`]     | a closed form is wanted as an oracle  | the pair has no name             |
 //!
-//! **Not here:** links between groups of elements; mirrors and windows.
+//! **Not here:** what stands between ([`crate::occlusion`]); links between groups of
+//! elements; mirrors and windows.
 //! Chapters *Form factors* (L07) and *The hemicube* (L10). Sources: Lambert 1760;
 //! Goral et al. 1984; Cohen & Greenberg 1985; Nishita & Nakamae 1985.
 
 mod accuracy;
 pub mod analytic;
 pub mod area;
-mod blocker;
-mod blockers;
 mod bounds;
 pub mod cast;
 mod close;
@@ -43,21 +42,15 @@ mod pair;
 pub mod pictures;
 mod quadrature;
 pub mod shortcuts;
-mod visible;
 
 pub use accuracy::Accuracy;
-pub use blocker::Blocker;
-pub use blockers::Blockers;
 pub use close::{Closing, close, closure};
 pub use contour::exchange_by_contour;
 pub use glance::{Glance, Sight, glance};
 pub use matrix::{Cached, Matrix, Row};
 pub use pair::{form_factor, form_factor_past};
-pub use visible::{lambert_visible, visible_parts};
 
-pub(crate) use blockers::{Shaft, joined_tiles};
 pub(crate) use quadrature::points;
-pub(crate) use visible::{inside, parted};
 
 use crate::geometry::{Frame, Polygon, Ray};
 use crate::mesh::ElementId;

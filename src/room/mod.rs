@@ -33,7 +33,7 @@ mod portals;
 
 pub use direct::{Direct, OnPiece};
 
-use crate::form_factor::Blockers;
+use crate::occlusion::Blockers;
 use crate::scene::Scene;
 use crate::virtual_world::VirtualWorld;
 use crate::visibility::Visibility;

@@ -1,8 +1,8 @@
 //! The lamps as points of surfaces see them: exactly, with what hides them cut away.
 
-use crate::form_factor::{Blocker, Blockers, lambert_visible, visible_parts};
 use crate::geometry::{Outline, Polygon, Rgb};
 use crate::material::{Coefficients, Material, Shine};
+use crate::occlusion::{Blocker, Blockers, lambert_visible, visible_parts};
 use crate::scene::Scene;
 use glam::DVec3;
 use smallvec::SmallVec;

@@ -14,8 +14,8 @@
 
 use super::image::pyramid;
 use super::{Reflects, VirtualWorld};
-use crate::form_factor::{Blocker, inside, visible_parts};
 use crate::geometry::{Outline, Plane, Polygon, Rgb, newell};
+use crate::occlusion::{Blocker, inside, visible_parts};
 use crate::radiometry::projected_solid_angle;
 use glam::DVec3;
 use std::collections::BTreeMap;

@@ -1,8 +1,8 @@
 //! One chain of mirrors, and the image of the world in it.
 
 use super::{Mirror, VirtualWorld};
-use crate::form_factor::{Shaft, inside};
 use crate::geometry::{Outline, Plane, Polygon, Rgb};
+use crate::occlusion::{Shaft, inside};
 use glam::{DAffine3, DVec3};
 
 /// The world as it is seen in a chain of mirrors.

@@ -43,10 +43,10 @@ pub use hemicube::ExtendedHemicube;
 pub use image::Image;
 pub use sight::Sight;
 
-use crate::form_factor::{Blockers, joined_tiles};
 use crate::geometry::{Polygon, Rgb};
 use crate::material::Shine;
 use crate::material::optics::pane;
+use crate::occlusion::{Blockers, joined_tiles};
 use crate::scene::{Scene, Side};
 
 /// A flat mirror, or one side of a pane.

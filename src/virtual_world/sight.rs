@@ -2,8 +2,8 @@
 
 use super::image::{clip_to, pyramid};
 use super::{Image, Pane, VirtualWorld};
-use crate::form_factor::{Blocker, Shaft, lambert_visible, parted, visible_parts};
 use crate::geometry::{Outline, Plane, Polygon, Rgb};
+use crate::occlusion::{Blocker, Shaft, lambert_visible, parted, visible_parts};
 use crate::radiometry::projected_solid_angle;
 use glam::{DAffine3, DMat3, DVec3};
 use smallvec::SmallVec;

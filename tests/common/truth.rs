@@ -1,10 +1,11 @@
 //! The light of a scene, known by other means than those under test.
 
 use glam::DVec3;
+use radiosity::form_factor::FormFactors;
 use radiosity::form_factor::analytic::Analytic;
-use radiosity::form_factor::{Blockers, FormFactors, lambert_visible};
 use radiosity::geometry::Rgb;
 use radiosity::mesh::{ElementId, Mesh};
+use radiosity::occlusion::{Blockers, lambert_visible};
 use radiosity::random::Stream;
 use radiosity::room::Direct;
 use radiosity::scene::Scene;

@@ -7,8 +7,9 @@ use crate::failures::meshing::links::{
 };
 use crate::failures::rooms::{black, rectangle};
 use glam::{DVec3, dvec3};
-use radiosity::form_factor::{Blockers, Sight, glance, lambert_visible};
+use radiosity::form_factor::{Sight, glance};
 use radiosity::geometry::{Polygon, Rgb};
+use radiosity::occlusion::{Blockers, lambert_visible};
 use radiosity::solve::hierarchy::{
     HierarchyOptions, Link, Node, NodeId, solve_hierarchy,
 };

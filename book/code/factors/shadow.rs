@@ -5,9 +5,9 @@ use crate::map;
 use glam::{DVec2, DVec3, dvec2};
 use radiosity::film::RgbImage;
 use radiosity::form_factor::analytic::{Analytic, exchange, lambert_polygon};
-use radiosity::form_factor::{Blocker, lambert_visible};
 use radiosity::geometry::Polygon;
 use radiosity::mesh::{ElementId, Mesh};
+use radiosity::occlusion::{Blocker, lambert_visible};
 
 /// A rectangle across z, its front up or down.
 fn rectangle(low: DVec2, high: DVec2, z: f64, up: bool) -> Polygon {

@@ -1,8 +1,9 @@
 //! Links: from where a node gathers, and how far that may be wrong.
 
 use super::tree::{Forest, Node, NodeId};
-use crate::form_factor::{Blockers, Glance, Sight, glance};
+use crate::form_factor::{Glance, Sight, glance};
 use crate::geometry::Rgb;
+use crate::occlusion::Blockers;
 use glam::{DMat3, DVec3, Vec3};
 
 /// A node's view of another, near or far, small or large.

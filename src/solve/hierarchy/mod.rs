@@ -39,9 +39,10 @@ pub use options::HierarchyOptions;
 pub use tree::{Forest, Node, NodeId};
 
 use super::{Enclosure, Ledger, error_bound};
-use crate::form_factor::{Blockers, Sight};
+use crate::form_factor::Sight;
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
+use crate::occlusion::Blockers;
 use crate::scene::Scene;
 use crate::work::Progress;
 use glam::DMat3;

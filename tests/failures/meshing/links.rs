@@ -4,8 +4,9 @@ use super::super::rooms::{black, box_walls, rectangle, scene};
 use super::super::{Found, Sweep, curve};
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::analytic::exchange;
-use radiosity::form_factor::{Blockers, Sight, glance};
+use radiosity::form_factor::{Sight, glance};
 use radiosity::geometry::{Polygon, Rgb};
+use radiosity::occlusion::Blockers;
 use radiosity::solve::hierarchy::{Forest, Hierarchy, HierarchyOptions, NodeId};
 
 /// The side of the card of row 43, m.

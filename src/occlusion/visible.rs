@@ -86,7 +86,7 @@ pub fn visible_parts(
 
 /// A convex outline parted by a convex cone of planes that face inwards: what is inside it,
 /// which may be nothing, and the pieces outside.
-pub(crate) fn parted(piece: Outline, cone: &[Plane]) -> (Outline, Vec<Outline>) {
+pub fn parted(piece: Outline, cone: &[Plane]) -> (Outline, Vec<Outline>) {
     let kept = inside(&piece, cone);
     let mut rest = Vec::new();
     outside(piece, cone, &mut rest);
@@ -94,7 +94,7 @@ pub(crate) fn parted(piece: Outline, cone: &[Plane]) -> (Outline, Vec<Outline>) 
 }
 
 /// What of a convex outline lies inside a convex cone.
-pub(crate) fn inside(outline: &[DVec3], cone: &[Plane]) -> Outline {
+pub fn inside(outline: &[DVec3], cone: &[Plane]) -> Outline {
     let mut rest = Outline::from(outline);
     let mut cut = Outline::new();
     for plane in cone {

@@ -16,3 +16,4 @@ mod smooth;
 mod solvers;
 mod substructure;
 mod translucent;
+mod wrong_light;

@@ -2,14 +2,16 @@
 //! that reaches far. Inputs in `tests/data/light`.
 
 use glam::{DVec3, dvec3};
+use radiosity::field::Smooth;
 use radiosity::geometry::Rgb;
 use radiosity::material::optics::pane;
 use radiosity::material::{Coefficients, Material, Shine};
 use radiosity::obj;
-use radiosity::room::Direct;
+use radiosity::room::{Direct, Room};
 use radiosity::scene::{Face, MaterialId, Scene, Side};
 use radiosity::sky::{Panorama, Sky};
-use radiosity::solution::{Ask, Solution, automatic, resolution_for};
+use radiosity::solution::{Goal, Solution, solve};
+use radiosity::work::Work;
 use std::f64::consts::PI;
 use std::path::PathBuf;
 
@@ -28,13 +30,13 @@ fn panorama(name: &str) -> Sky {
 }
 
 fn solved(scene: &Scene, tolerance: f64) -> Solution {
-    let ask = Ask { tolerance, ..Ask::default() };
-    automatic(scene, resolution_for(scene, tolerance), &ask, &|_, _, _| {}).0
+    let goal = Goal::within(tolerance);
+    solve(&Room::of(scene), &Smooth, &goal, &Work::quiet()).unwrap()
 }
 
 /// Mean irradiance of a face, W/m², in the first channel.
 fn irradiance(solution: &Solution, face: u32) -> f64 {
-    let mesh = &solution.mesh;
+    let mesh = &solution.field.mesh;
     let (mut power, mut area) = (0.0, 0.0);
     for (element, h) in mesh.elements.iter().zip(&solution.irradiance) {
         if mesh.patch_of(element).face.0 == face {
@@ -52,7 +54,11 @@ fn no_sun_shines_into_a_closed_room() {
     for sun in ["sun-behind", "sun-front"] {
         let solution = solved(&scene("sun-closed", Some(panorama(sun))), 0.3);
         let most = solution.irradiance.iter().fold(Rgb::ZERO, |m, &h| m.max(h));
-        assert_eq!((most, solution.ledger.emitted), (Rgb::ZERO, Rgb::ZERO), "{sun}");
+        assert_eq!(
+            (most, solution.field.ledger.emitted),
+            (Rgb::ZERO, Rgb::ZERO),
+            "{sun}"
+        );
     }
 }
 
@@ -186,7 +192,7 @@ fn a_sheet_in_an_opening_is_lit_from_outside() {
     let (whole, _) = Scene::assemble("test", scene.materials, faces, None).unwrap();
     let scene = Scene { sky: uniform(), ..whole };
     let solution = solved(&scene, 0.1);
-    let mesh = &solution.mesh;
+    let mesh = &solution.field.mesh;
     let mut backs = 0;
     for (element, h) in mesh.elements.iter().zip(&solution.irradiance) {
         let surface = &scene.surfaces[mesh.surface_of(element) as usize];

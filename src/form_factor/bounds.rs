@@ -7,8 +7,8 @@
 //! exactly, for both bounds; one that a blocker hides wholly for neither; the rest, in the
 //! end, for the upper bound only. No point is sampled, so nothing can be missed.
 
-use super::analytic::{Analytic, exchange};
 use super::Accuracy;
+use super::analytic::{Analytic, exchange};
 use crate::geometry::Polygon;
 use crate::mesh::ElementId;
 use crate::occlusion::{Blocker, Blockers};

@@ -2,7 +2,7 @@
 //! *Light, Patch by Patch*.
 //!
 //! The module list below is the dependency order: a module uses only those above it
-//! (`tests/architecture.rs` holds this).
+//! (`tests/architecture/main.rs` holds this).
 #![forbid(unsafe_code)]
 #![deny(missing_debug_implementations)] // of the library: labs and book are no libraries
 
@@ -16,13 +16,14 @@ pub mod material;
 pub mod texture;
 pub mod sky;
 pub mod scene;
-pub mod obj;
 pub mod mesh;
 pub mod raster;
 pub mod visibility;
 pub mod occlusion;
 pub mod form_factor;
 pub mod solve;
+pub mod obj;
+pub mod film;
 pub mod directional;
 pub mod ways;
 pub mod virtual_world;
@@ -30,7 +31,6 @@ pub mod room;
 pub mod field;
 pub mod certificate;
 pub mod solution;
-pub mod film;
 pub mod trace;
 pub mod plan;
 pub mod chart;

@@ -13,7 +13,8 @@
 //! | [`Stream::next`]      | one number is needed               | many are: clumps         |
 //! | [`Stream::points`]    | `n` points that fill a cube evenly | `n` is 1: as `next`      |
 //!
-//! **Not here:** cryptography. Chapter *Form factors* (L07), where rays are first drawn.
+//! **Not here:** cryptography. Beyond the lecture; rays are first drawn in
+//! the chapter *Form factors*.
 //! Sources: Steele, Lea & Flood 2014;
 //! Roberts 2018 (the sequence); Cranley & Patterson 1976 (random shifts).
 

@@ -13,7 +13,7 @@
 //! | [`mean`] | light is exchanged between patches | the pattern is to be seen           |
 //!
 //! **Not here:** the pattern itself, and where on a face it lies; pictures that are
-//! written ([`crate::film`]). Chapter *The pipeline* (L08). Sources: Cohen et al. 1986
+//! written ([`crate::film`]). Chapter *The pipeline*, for the virtual world (L23). Sources: Cohen et al. 1986
 //! (textures after the solution); IEC 61966-2-1 (sRGB).
 
 use crate::geometry::Rgb;

@@ -22,7 +22,7 @@
 //! ```
 //!
 //! **Not here:** seconds; what work a scene will be ([`crate::plan`]).
-//! Chapter *The pipeline* (L08). Source: none, it is bookkeeping.
+//! Beyond the lecture. Source: none, it is bookkeeping.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 

@@ -21,6 +21,26 @@
 //!
 //! What is reported is relative to the reflected light. Relative to `‖B‖` the lamp, which
 //! is known, would hide everything.
+//!
+//! | part        | use it when                         | it fails when                      |
+//! |-------------|-------------------------------------|------------------------------------|
+//! | [`certify`] | a field is to be trusted            | a spot is met by no point: unknown |
+//! | [`audit`]   | it is also asked where it is wrong  | single elements: few points, noise |
+//!
+//! ```
+//! use radiosity::certificate::{Judged, Sampling, certify};
+//! use radiosity::{geometry::Rgb, mesh::Mesh, room::Room, scene::built_in};
+//! let scene = built_in("furnace").unwrap(); // B = 2 everywhere, of which 1 is reflected
+//! let (room, mesh) = (Room::of(&scene), Mesh::uniform(&scene, 0.5));
+//! let field = Judged { mesh: &mesh, radiosity: &|_, _| Rgb::splat(1.9) };
+//! let (rays, lamps) = (room.visibility(), room.lamps());
+//! let found = certify(&scene, rays, lamps, &field, Sampling::default());
+//! assert!((found.error - 0.1).abs() < 1e-9);
+//! ```
+//!
+//! **Not here:** what is done when the error is too large ([`crate::solution`]). Beyond the
+//! lecture: chapter *How wrong is it?*. Sources: Arvo, Torrance & Smits 1994 (the errors of
+//! radiosity told apart); Lischinski, Smits & Greenberg 1994 (bounds).
 
 mod gathering;
 mod interval;

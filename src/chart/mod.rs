@@ -17,7 +17,7 @@
 //!
 //! **Not here:** where numbers are written to, and the clock: the command brings both as a
 //! [`Meter`].
-//! Chapters *Speed against accuracy*, *Solving it* (L13, L14) and *Side by side* (L22).
+//! Chapters *Speed against accuracy*, *Side by side* (L22) and *Solving it* (L13, L14).
 //! Sources: Gortler, Cohen & Slusallek 1994, who compared relaxations by their work; the
 //! frontier is Pareto's (1906).
 

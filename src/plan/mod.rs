@@ -18,7 +18,7 @@
 //! | [`Predicted`]    | a person asks how long it will take      | the machine is another     |
 //!
 //! **Not here:** how light is resolved and certified ([`crate::solve`]).
-//! Chapter *What does this scene need?*, on the pipeline of (L08). Sources: Lischinski,
+//! Beyond the lecture: chapter *What does this scene need?*. Sources: Lischinski,
 //! Smits & Greenberg 1994 (bounds that tell where to work); Smits, Arvo & Salesin 1992 (no
 //! more work than the result needs).
 

@@ -16,7 +16,7 @@
 //! | [`Class`]      | light is to be told by its path         | never                      |
 //!
 //! **Not here:** the light that diffuse surfaces send: pass 1 ([`crate::solve`]) brings it.
-//! Chapters *Who carries which light?* (L15) and *The second pass* (L19, L20). Sources:
+//! Chapters *The second pass* (L19, L20) and *Who carries which light?* (L15). Sources:
 //! Kajiya 1986 (path tracing); Whitted 1980 (ray tracing); Heckbert 1990 (words); Wallace,
 //! Cohen & Greenberg 1987, Sillion & Puech 1989 (two passes).
 

@@ -1,11 +1,14 @@
 //! The rules of the house: who may use whom, how long a file is, what a header says,
 //! and where nothing may panic.
 
+mod one_of_each;
+mod order;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Files grow; past this they are split.
-const MOST_LINES: usize = 450;
+const MOST_LINES: usize = 400;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -141,13 +144,13 @@ fn every_module_header_has_its_six_parts() {
         let has = |part: &str| header.iter().any(|line| line.contains(part));
         let first = header.first().is_some_and(|line| line.trim().len() > 20);
         let table = header.iter().any(|line| line.starts_with(" |--"));
-        let place = has("Chapter") && has("(L");
+        let place = has("(L") && has("Chapter") || has("Beyond the lecture");
         for (part, there) in [
             ("what it is", first),
             ("a formula in a ```text fence", has("```text")),
             ("a table of what to use when", table),
             ("**Not here:**", has("**Not here:**")),
-            ("its chapters with lectures, (L..)", place),
+            ("its chapters with lectures, (L..), or that it is beyond", place),
             ("Sources:", has("Sources:") || has("Source:")),
         ] {
             if !there {
@@ -170,7 +173,7 @@ fn nothing_is_unsafe_ignored_or_unwritten() {
     ];
     for (folder, words) in banned {
         for file in rust_files(folder) {
-            if file.ends_with("tests/architecture.rs") {
+            if file.ends_with("tests/architecture/main.rs") {
                 continue; // it names them
             }
             for (line, text) in read(&file).lines().enumerate() {

@@ -14,7 +14,7 @@ use radiosity::room::Room;
 use radiosity::scene::{Face, Scene};
 use radiosity::sky::Sky;
 use radiosity::solve::Enclosure;
-use radiosity::trace::{Limits, Options, PathTracer, Strategy, TwoPass, Whitted};
+use radiosity::trace::{Limits, Look, PathTracer, Strategy, TwoPass, Whitted};
 use radiosity::visibility::Visibility;
 use radiosity::ways::{
     Branching, Event, Media, Meeting, Met, Solids, Specular, Ways, ways,
@@ -32,7 +32,7 @@ const SAMPLES: usize = 2000;
 fn seen(scene: &Scene, ray: Ray, limits: Limits) -> Vec<(&'static str, f64, f64)> {
     let mesh = Mesh::whole(scene);
     let b = mesh.vertex_values(&Enclosure::of(scene, &mesh).emission);
-    let options = Options { limits, ..Options::default() };
+    let options = Look { limits, ..Look::default() };
     let trees = [
         ("classical", Whitted::of(&Room::of(scene), limits).along(&ray)),
         (

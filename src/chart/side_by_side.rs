@@ -16,7 +16,7 @@ use crate::plan::Plan;
 use crate::room::Room;
 use crate::scene::Scene;
 use crate::solution::{Goal, Solution};
-use crate::trace::{Limits, Options, PathTracer, Table, Traced, TwoPass, Whitted};
+use crate::trace::{Limits, Look, PathTracer, Table, Traced, TwoPass, Whitted};
 use crate::work::{Progress, Work};
 use std::fmt::Write;
 
@@ -87,7 +87,7 @@ impl Comparison {
         // ANCHOR: two_pass
         let (two, second) = timed(clock, || {
             let (mesh, light) = (&solution.field.mesh, &solution.vertex_radiosity);
-            let options = Options { seed: effort.seed, ..Options::default() };
+            let options = Look { seed: effort.seed, ..Look::default() };
             TwoPass::showing(&Room::of(scene), mesh, light, options)
                 .picture(shot, progress)
                 .picture

@@ -17,7 +17,7 @@ use radiosity::room::Room;
 use radiosity::scene::Scene;
 use radiosity::sky::Sky;
 use radiosity::solution::Solution;
-use radiosity::trace::{Limits, Options, PathTracer, Row, Table, TwoPass, Whitted};
+use radiosity::trace::{Limits, Look, PathTracer, Row, Table, TwoPass, Whitted};
 use serde_json::{Value, json};
 
 /// How light is followed.
@@ -128,7 +128,7 @@ pub fn make(
     };
     match (method, solution) {
         (Method::TwoPass, Some(Solution { field, .. })) => {
-            let options = Options { seed, ..Options::default() };
+            let options = Look { seed, ..Look::default() };
             let second = TwoPass::of(room, field, options);
             shown(second.picture(shot, &progress))
         }

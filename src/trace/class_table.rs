@@ -10,7 +10,7 @@
 //! tells in the same way.
 
 use super::classes::{Class, Light, Table};
-use super::two_pass::{Options, TwoPass};
+use super::two_pass::{Look, TwoPass};
 use crate::field::{Fineness, Pass1, Smooth};
 use crate::film::{Picture, Shot};
 use crate::geometry::Rgb;
@@ -52,7 +52,7 @@ impl ByClass {
         scene: &Scene,
         shot: &Shot,
         how: &Fineness,
-        options: &Options,
+        options: &Look,
         progress: Progress,
     ) -> ByClass {
         // What the eye sees of a field: straight, and by way of what shines.
@@ -119,7 +119,7 @@ pub fn classes_of_two_passes(
     scene: &Scene,
     shot: &Shot,
     how: &Fineness,
-    options: &Options,
+    options: &Look,
     progress: Progress,
 ) -> Table {
     ByClass::of(scene, shot, how, options, progress).table()
@@ -192,6 +192,6 @@ fn sky_seen(scene: &Scene, shot: &Shot) -> Picture {
     let scene = Scene { materials, ..scene.clone() };
     let mesh = Mesh::whole(&scene);
     let dark = vec![Rgb::ZERO; mesh.vertices.len()];
-    let eye = TwoPass::showing(&Room::of(&scene), &mesh, &dark, Options::default());
+    let eye = TwoPass::showing(&Room::of(&scene), &mesh, &dark, Look::default());
     eye.picture(shot, &|_, _, _| ()).picture
 }

@@ -40,5 +40,5 @@ pub use expose::{Along, Shown};
 pub use gloss::{Gloss, LobeAs};
 pub use path::{Estimate, PathTracer, Strategy, Traced};
 pub use tree::Limits;
-pub use two_pass::{Options, TwoPass};
+pub use two_pass::{Look, TwoPass};
 pub use whitted::Whitted;

@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 
 /// How the second pass works.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
+pub struct Look {
     /// How far rays are followed.
     pub limits: Limits,
     /// How gloss is integrated.
@@ -31,10 +31,10 @@ pub struct Options {
     pub seed: u64,
 }
 
-impl Default for Options {
-    fn default() -> Options {
+impl Default for Look {
+    fn default() -> Look {
         let (limits, gloss) = (Limits::default(), Gloss::default());
-        Options { limits, gloss, gather: 0, seed: 0 }
+        Look { limits, gloss, gather: 0, seed: 0 }
     }
 }
 
@@ -47,16 +47,12 @@ pub struct TwoPass<'s> {
     radiosity: Cow<'s, [Rgb]>,
     locate: Locate,
     lamps: Lamps,
-    options: Options,
+    options: Look,
 }
 
 impl<'s> TwoPass<'s> {
     /// Of a room whose diffuse light was found.
-    pub fn of<'r: 's>(
-        room: &Room<'r>,
-        field: &'s Field,
-        options: Options,
-    ) -> TwoPass<'s> {
+    pub fn of<'r: 's>(room: &Room<'r>, field: &'s Field, options: Look) -> TwoPass<'s> {
         let radiosity = Cow::Owned(field.vertex_radiosity(room.scene));
         TwoPass::with(room, &field.mesh, radiosity, options)
     }
@@ -67,7 +63,7 @@ impl<'s> TwoPass<'s> {
         room: &Room<'r>,
         mesh: &'s Mesh,
         radiosity: &'s [Rgb],
-        options: Options,
+        options: Look,
     ) -> TwoPass<'s> {
         TwoPass::with(room, mesh, Cow::Borrowed(radiosity), options)
     }
@@ -76,7 +72,7 @@ impl<'s> TwoPass<'s> {
         room: &Room<'r>,
         mesh: &'s Mesh,
         radiosity: Cow<'s, [Rgb]>,
-        options: Options,
+        options: Look,
     ) -> TwoPass<'s> {
         let scene = room.scene;
         assert_eq!(radiosity.len(), mesh.vertices.len(), "one B for each vertex");

@@ -5,7 +5,7 @@ use radiosity::plan::Plan;
 use radiosity::room::{Built, Room};
 use radiosity::scene::built_in;
 use radiosity::solution::Goal;
-use radiosity::trace::{Options, TwoPass};
+use radiosity::trace::{Look, TwoPass};
 use radiosity::work::Work;
 use std::collections::HashMap;
 
@@ -86,7 +86,7 @@ fn a_room_is_made_ready_once() {
         let goal = Goal::within(0.05);
         let done = Plan::of(&room, goal.tolerance).run(&room, &goal, &Work::quiet());
         let solution = done.unwrap().solution;
-        let eye = TwoPass::of(&room, &solution.field, Options::default());
+        let eye = TwoPass::of(&room, &solution.field, Look::default());
         let camera = scene.camera;
         let shot = radiosity::film::Shot { camera, width: 8, height: 8, samples: 1 };
         let _ = eye.picture(&shot, &|_, _, _| {});

@@ -1,7 +1,7 @@
 //! The suites of pictures, skies, certificates and directions, small and without a clock: who
 //! is more accurate at equal work, and work that theory counts.
 
-use radiosity::chart::suites::look::Look;
+use radiosity::chart::suites::look::Onlooker;
 use radiosity::chart::suites::{certificate, directional, pictures, second_pass, sky};
 use radiosity::chart::{Bench, Trial};
 
@@ -106,7 +106,7 @@ fn directions_cost_more_than_they_gain() {
 /// or are noisy.
 #[test]
 fn two_passes_beat_what_is_half_of_them() {
-    let look = Look::at("cornell-mirror", 48, 600, 100);
+    let look = Onlooker::at("cornell-mirror", 48, 600, 100);
     let trials =
         pictures::at_equal_error(&look, "a box", &[0.05], &[16.0], &Bench::SILENT);
     let two = error(&trials, "two passes", 0.05);

@@ -13,7 +13,7 @@ use radiosity::mesh::Mesh;
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solve::{Enclosure, GaussSeidel};
-use radiosity::trace::{Along, Limits, Options, TwoPass, Whitted};
+use radiosity::trace::{Along, Limits, Look, TwoPass, Whitted};
 use radiosity::virtual_world::VirtualWorld;
 use std::f64::consts::PI;
 
@@ -87,7 +87,7 @@ fn of_two_passes(share: f64) -> f64 {
     let mesh = Mesh::whole(&scene);
     let b = 0.5 * PI * factor(&world, DVec3::ZERO, &spot(), &lamp()).x;
     let corners = vec![Rgb::splat(b); mesh.vertices.len()];
-    let two = TwoPass::showing(&Room::of(&scene), &mesh, &corners, Options::default());
+    let two = TwoPass::showing(&Room::of(&scene), &mesh, &corners, Look::default());
     2.0 * two.along(&look()).radiance.x
 }
 
@@ -192,7 +192,7 @@ pub fn hall(r: f64, depth: u32) -> Along {
     let mesh = Mesh::whole(&scene);
     let glow = vec![Rgb::splat(PI); mesh.vertices.len()];
     let limits = Limits { depth, weight: 0.0 };
-    let options = Options { limits, ..Options::default() };
+    let options = Look { limits, ..Look::default() };
     TwoPass::showing(&Room::of(&scene), &mesh, &glow, options).along(&between())
 }
 

@@ -13,7 +13,7 @@ use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
 use radiosity::room::Room;
 use radiosity::scene::Scene;
-use radiosity::trace::{Class, Light, Limits, Options, PathTracer, TwoPass, Whitted};
+use radiosity::trace::{Class, Light, Limits, Look, PathTracer, TwoPass, Whitted};
 use std::f64::consts::PI;
 
 const RHO: f64 = 0.5;
@@ -119,7 +119,7 @@ fn row_66_plain_radiosity_takes_mirrors_for_black() {
             plain[corner.0 as usize] = Rgb::splat(of(k));
         }
     }
-    let second = TwoPass::showing(&Room::of(&scene), &mesh, &plain, Options::default());
+    let second = TwoPass::showing(&Room::of(&scene), &mesh, &plain, Look::default());
     let seen = second.along(&look_at(x)).radiance;
     assert!((seen.x - RHO * straight / PI).abs() < 1e-12, "{seen}");
 

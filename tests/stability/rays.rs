@@ -16,7 +16,7 @@ use radiosity::random::Stream;
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solve::Enclosure;
-use radiosity::trace::{Cone, Gloss, LobeAs, Options, PathTracer, Strategy, TwoPass};
+use radiosity::trace::{Cone, Gloss, LobeAs, Look, PathTracer, Strategy, TwoPass};
 use std::f64::consts::{PI, TAU};
 
 /// Row 69: no material reflects and transmits as much as it gets, or more: it is
@@ -129,7 +129,7 @@ fn row_70_the_noise_of_gloss_falls_with_the_rays() {
     let spread = |rays: usize| {
         let of = |seed: u64| {
             let gloss = Gloss { lobe: LobeAs::Stack(4), rays };
-            let options = Options { gloss, seed, ..Options::default() };
+            let options = Look { gloss, seed, ..Look::default() };
             TwoPass::showing(&Room::of(&scene), &mesh, &b, options)
                 .along(&ray)
                 .radiance
@@ -266,7 +266,7 @@ fn row_72_final_gathering_makes_no_sparks() {
     let scene = built_in("furnace").unwrap();
     let mesh = Mesh::uniform(&scene, 0.5);
     let b = vec![Rgb::splat(2.0); mesh.vertices.len()];
-    let options = Options { gather: 16, ..Options::default() };
+    let options = Look { gather: 16, ..Look::default() };
     let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, options);
     let right = 2.0 / std::f64::consts::PI;
     for off in [0.3, 1e-3, 1e-6] {

@@ -8,8 +8,7 @@ use radiosity::geometry::Rgb;
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::trace::{
-    CLASSES, Class, Letter, Light, Options, Owner, PathTracer, Word,
-    classes_of_two_passes,
+    CLASSES, Class, Letter, Light, Look, Owner, PathTracer, Word, classes_of_two_passes,
 };
 use std::f64::consts::PI;
 
@@ -79,7 +78,7 @@ fn both_passes_find_class_by_class_what_paths_find() {
     let mut faults = vec![];
     for (name, scene, shot) in &scenes {
         let how = Smooth.first(&Room::of(scene), 0.02);
-        let options = Options::default();
+        let options = Look::default();
         let ours = classes_of_two_passes(scene, shot, &how, &options, &|_, _, _| ());
         let paths = PathTracer::of(&Room::of(scene))
             .picture(shot, 256, 1, &|_, _, _| ())

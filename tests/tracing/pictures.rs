@@ -15,7 +15,7 @@ use radiosity::random::Stream;
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solve::Enclosure;
-use radiosity::trace::{Gloss, Limits, LobeAs, Options, PathTracer, TwoPass, Whitted};
+use radiosity::trace::{Gloss, Limits, LobeAs, Look, PathTracer, TwoPass, Whitted};
 
 const PICTURES: &str = "tests/pictures";
 
@@ -77,7 +77,7 @@ fn the_second_pass_shows_what_paths_find() {
             (0..6000).map(|_| tracer.radiance(ray, &mut random).y).collect();
         let passes: Vec<f64> = (0..100)
             .map(|seed| {
-                let options = Options { limits, seed, ..Options::default() };
+                let options = Look { limits, seed, ..Look::default() };
                 TwoPass::showing(&Room::of(&scene), &mesh, &b, options)
                     .along(&ray)
                     .radiance
@@ -106,8 +106,7 @@ fn threads_change_nothing() {
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.unwrap().install(|| {
-            let two =
-                TwoPass::showing(&Room::of(&scene), &mesh, &b, Options::default());
+            let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Look::default());
             let whitted = Whitted::of(&Room::of(&scene), Limits::default());
             let shot = shot(&scene, 24, 2);
             (two.picture(&shot, &|_, _, _| {}), whitted.picture(&shot, &|_, _, _| {}))
@@ -123,7 +122,7 @@ fn nothing_that_shines_costs_no_second_pass() {
     let mesh = Mesh::uniform(&scene, 0.2);
     let b: Vec<Rgb> = mesh.vertices.iter().map(|v| *v + Rgb::ONE).collect();
     let shot = shot(&scene, 48, 3);
-    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Options::default());
+    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Look::default());
     let shown = two.picture(&shot, &|_, _, _| {});
     assert_eq!((shown.rays, shown.cut), (0, Rgb::ZERO));
     let stored = shot.smooth(&mesh, &b);
@@ -136,7 +135,7 @@ fn nothing_that_shines_costs_no_second_pass() {
 fn a_still_life() {
     let scene = still_life();
     let (mesh, b) = solved(&scene);
-    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Options::default());
+    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Look::default());
     let shown = two.picture(&shot(&scene, 64, 3), &|_, _, _| {});
     assert_picture(PICTURES, "trace-two-pass", &shown.picture.display(0.4));
     let one_cone = Gloss { lobe: LobeAs::OneCone(0.9), rays: 8 };
@@ -144,7 +143,7 @@ fn a_still_life() {
         &Room::of(&scene),
         &mesh,
         &b,
-        Options { gloss: one_cone, ..Options::default() },
+        Look { gloss: one_cone, ..Look::default() },
     );
     let shown = two.picture(&shot(&scene, 64, 3), &|_, _, _| {});
     assert_picture(PICTURES, "trace-one-cone", &shown.picture.display(0.4));
@@ -161,7 +160,7 @@ fn a_ball_of_glass() {
     let mut scene = shiny(walls.map(|(k, p)| (p, light(k))).chain(ball));
     scene.camera = camera(dvec3(2.3, 0.1, 2.5), DVec3::splat(2.0), 60.0);
     let (mesh, b) = solved(&scene);
-    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Options::default());
+    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Look::default());
     let shown = two.picture(&shot(&scene, 64, 3), &|_, _, _| {});
     assert!(shown.cut.max_element() < 0.02, "{}", shown.cut);
     assert_picture(PICTURES, "trace-glass", &shown.picture.display(0.8));

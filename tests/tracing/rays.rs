@@ -13,7 +13,7 @@ use radiosity::room::Room;
 use radiosity::scene::Scene;
 use radiosity::sky::Sky;
 use radiosity::solve::Enclosure;
-use radiosity::trace::{Along, Limits, Options, TwoPass, Whitted};
+use radiosity::trace::{Along, Limits, Look, TwoPass, Whitted};
 use std::f64::consts::PI;
 
 /// Nothing is cut but what is far beyond rounding.
@@ -38,13 +38,8 @@ fn field(scene: &Scene, mesh: &Mesh, of: impl Fn(DVec3) -> Rgb) -> Vec<Rgb> {
 fn along(scene: &Scene, limits: Limits, ray: &Ray) -> Along {
     let mesh = Mesh::whole(scene);
     let b = mesh.vertex_values(&Enclosure::of(scene, &mesh).emission);
-    TwoPass::showing(
-        &Room::of(scene),
-        &mesh,
-        &b,
-        Options { limits, ..Options::default() },
-    )
-    .along(ray)
+    TwoPass::showing(&Room::of(scene), &mesh, &b, Look { limits, ..Look::default() })
+        .along(ray)
 }
 
 fn towards(origin: DVec3, target: DVec3) -> Ray {
@@ -78,7 +73,7 @@ fn a_mirror_doubles_the_room() {
     let meshes = [&with_mirror, &doubled].map(|scene| Mesh::uniform(scene, 0.2));
     let fields =
         [field(&with_mirror, &meshes[0], light), field(&doubled, &meshes[1], light)];
-    let options = Options { limits: FAR, ..Options::default() };
+    let options = Look { limits: FAR, ..Look::default() };
     let one =
         TwoPass::showing(&Room::of(&with_mirror), &meshes[0], &fields[0], options);
     let two = TwoPass::showing(&Room::of(&doubled), &meshes[1], &fields[1], options);
@@ -251,7 +246,7 @@ fn a_slab_shifts_a_ray() {
             &Room::of(&with_slab),
             &mesh,
             &b,
-            Options { limits, ..Options::default() },
+            Look { limits, ..Look::default() },
         );
         let direction = dvec3(angle.sin(), 0.0, -angle.cos());
         let ray = Ray { origin: dvec3(-1.0, 0.0, 1.0), direction };
@@ -347,7 +342,7 @@ fn gloss_in_a_glow_shows_its_albedo() {
         let lobe = radiosity::material::Lobe::Phong { exponent };
         let right = 0.7 * lobe.albedo(0.5_f64.sqrt());
         let mean = (0..400).map(|seed| {
-            let options = Options { seed, limits: FAR, ..Options::default() };
+            let options = Look { seed, limits: FAR, ..Look::default() };
             TwoPass::showing(&Room::of(&scene), &mesh, &b, options)
                 .along(&ray)
                 .radiance

@@ -5,7 +5,7 @@ use glam::DVec3;
 use radiosity::film::RgbImage;
 use radiosity::material::{Coefficients, Material, Shine};
 use radiosity::scene::built_in;
-use radiosity::trace::{Cone, Options};
+use radiosity::trace::{Cone, Look};
 
 /// Pixels along an edge.
 const SIZE: u32 = 160;
@@ -36,7 +36,7 @@ fn lit(n: f64) -> Lit {
 
 /// The picture.
 pub fn picture(n: f64) -> RgbImage {
-    let shown = lit(n).two_passes(SIZE, Options::default());
+    let shown = lit(n).two_passes(SIZE, Look::default());
     // The lamp is all that clamps.
     shown.picture.display(EXPOSURE * shown.picture.auto_exposure())
 }

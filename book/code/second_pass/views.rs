@@ -7,7 +7,7 @@ use radiosity::film::{RgbImage, Shot};
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solution::{Goal, Solution, solve_from};
-use radiosity::trace::{Limits, Options, Shown, TwoPass, Whitted};
+use radiosity::trace::{Limits, Look, Shown, TwoPass, Whitted};
 use radiosity::work::Work;
 use std::sync::OnceLock;
 
@@ -33,7 +33,7 @@ impl Lit {
     }
 
     /// What its camera sees, by two passes.
-    pub fn two_passes(&self, size: u32, options: Options) -> Shown {
+    pub fn two_passes(&self, size: u32, options: Look) -> Shown {
         let Solution { field, vertex_radiosity, .. } = &self.solution;
         let two = TwoPass::showing(
             &Room::of(&self.scene),
@@ -60,8 +60,7 @@ fn cornell() -> &'static Lit {
 /// The exposure of all three pictures: that of the last.
 fn exposure() -> f64 {
     static EXPOSURE: OnceLock<f64> = OnceLock::new();
-    let find =
-        || cornell().two_passes(SIZE, Options::default()).picture.auto_exposure();
+    let find = || cornell().two_passes(SIZE, Look::default()).picture.auto_exposure();
     *EXPOSURE.get_or_init(find)
 }
 
@@ -82,12 +81,12 @@ pub fn first_pass() -> RgbImage {
 
 /// Both passes.
 pub fn both() -> RgbImage {
-    cornell().two_passes(SIZE, Options::default()).picture.display(exposure())
+    cornell().two_passes(SIZE, Look::default()).picture.display(exposure())
 }
 
 /// The caption under the three.
 pub fn caption() -> String {
-    let shown = cornell().two_passes(SIZE, Options::default());
+    let shown = cornell().two_passes(SIZE, Look::default());
     let samples = u64::from(9 * SIZE * SIZE);
     format!(
         "`cornell-mirror`: the tall block is a mirror. Left: classical ray tracing. Middle: \
@@ -106,13 +105,13 @@ fn ball() -> &'static Lit {
 
 /// The glass ball by two passes.
 pub fn ball_picture() -> RgbImage {
-    let shown = ball().two_passes(SIZE, Options::default());
+    let shown = ball().two_passes(SIZE, Look::default());
     shown.picture.display(shown.picture.auto_exposure())
 }
 
 /// Its caption.
 pub fn ball_caption() -> String {
-    let shown = ball().two_passes(SIZE, Options::default());
+    let shown = ball().two_passes(SIZE, Look::default());
     let limits = Limits::default();
     format!(
         "`glass-ball`: {:.1} rays for each sample of the picture. Branches \

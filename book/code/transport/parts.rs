@@ -7,7 +7,7 @@ use radiosity::film::{Picture, RgbImage, Shot};
 use radiosity::geometry::Rgb;
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
-use radiosity::trace::{ByClass, Class, Light, Options, Owner, PathTracer, Table};
+use radiosity::trace::{ByClass, Class, Light, Look, Owner, PathTracer, Table};
 use std::fmt::Write;
 use std::sync::OnceLock;
 
@@ -34,7 +34,7 @@ fn shot(scene: &Scene, size: u32) -> Shot {
 pub fn by_class() -> &'static ByClass {
     static PARTS: OnceLock<ByClass> = OnceLock::new();
     PARTS.get_or_init(|| {
-        let (scene, options) = (scene(), Options::default());
+        let (scene, options) = (scene(), Look::default());
         let how = Smooth.first(&Room::of(&scene), TOLERANCE);
         ByClass::of(&scene, &shot(&scene, PANEL), &how, &options, &|_, _, _| {})
     })

@@ -13,7 +13,7 @@ use crate::raster::{ItemBuffer, Seen, View as Eye};
 use crate::room::Room;
 use crate::scene::{Camera, Face, MaterialId, Scene};
 use crate::solve::Ledger;
-use crate::trace::{Options, PathTracer, TwoPass};
+use crate::trace::{Look, PathTracer, TwoPass};
 use glam::{DVec3, dvec3};
 
 /// This suite.
@@ -135,7 +135,7 @@ fn two_passes(scene: &Scene, tolerance: f64) -> (Answer, Work) {
         &Room::of(scene),
         &solution.field.mesh,
         light,
-        Options::default(),
+        Look::default(),
     );
     let shown = second.picture(&shot(3), &|_, _, _| {});
     let Ledger { imbalance, emitted, .. } = solution.field.ledger;

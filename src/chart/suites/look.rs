@@ -12,26 +12,26 @@ use crate::raster::View;
 use crate::room::Room;
 use crate::scene::{Scene, built_in};
 use crate::solution::{Goal, Solution, solve_from};
-use crate::trace::{Limits, Options, PathTracer, Strategy, TwoPass, Whitted};
+use crate::trace::{Limits, Look, PathTracer, Strategy, TwoPass, Whitted};
 use crate::ways::{Branching, Met, Specular};
 use glam::DVec3;
 use std::f64::consts::PI;
 
 /// A scene as its camera sees it, and what it should show.
 #[derive(Debug)]
-pub struct Look {
+pub struct Onlooker {
     scene: Scene,
     shot: Shot,
     truth: Truth,
 }
 
-impl Look {
+impl Onlooker {
     /// At a built-in scene in `size × size` pixels. About so many of them, evenly spread,
     /// are held against unbiased walks, twice so many for each.
     ///
     /// What shows a lamp, straight or mirrored, is left out: everyone knows how bright it
     /// is. The scene has no gloss: it has no single point from which its light comes.
-    pub fn at(name: &str, size: u32, pixels: usize, walks: usize) -> Look {
+    pub fn at(name: &str, size: u32, pixels: usize, walks: usize) -> Onlooker {
         let scene = built_in(name).unwrap_or_else(|error| panic!("{error}"));
         let camera = scene.camera;
         let shot = Shot { camera, width: size, height: size, samples: 1 };
@@ -45,7 +45,7 @@ impl Look {
             chosen.filter_map(|k| Some((k, eye.ends(&ray(&shot, k))?))).collect();
         let pixels = ends.iter().map(|(k, _)| *k).collect();
         let truth = Truth::new(pixels, |seed| eye.radiance(&ends, walks, seed));
-        Look { scene, shot, truth }
+        Onlooker { scene, shot, truth }
     }
 
     /// A contest on this look, in the name of its scene.
@@ -82,7 +82,7 @@ impl Look {
     /// Both passes, at tolerances of pass 1.
     pub fn two_passes(&self, tolerances: &[f64]) -> Method<'_, Picture> {
         Method::new("two passes", tolerances, |tolerance, _| {
-            self.both(tolerance, Options::default())
+            self.both(tolerance, Look::default())
         })
     }
 
@@ -90,14 +90,11 @@ impl Look {
     /// what comes from far away, for so many rays gather it anew.
     pub fn gathered(&self, tolerance: f64, rays: &[f64]) -> Method<'_, Picture> {
         Method::new("light gathered anew", rays, move |rays, _| {
-            self.both(
-                tolerance,
-                Options { gather: rays as usize, ..Options::default() },
-            )
+            self.both(tolerance, Look { gather: rays as usize, ..Look::default() })
         })
     }
 
-    fn both(&self, tolerance: f64, options: Options) -> (Picture, Work) {
+    fn both(&self, tolerance: f64, options: Look) -> (Picture, Work) {
         let (solution, work) = solved(&self.scene, tolerance);
         let (mesh, light) = (&solution.field.mesh, &solution.vertex_radiosity);
         let two = TwoPass::showing(&Room::of(&self.scene), mesh, light, options);

@@ -1,7 +1,7 @@
 //! Pictures: radiosity, two passes, ray tracing and paths, of boxes with and without what
 //! shines; how paths find lamps; and how a solution is drawn.
 
-use super::look::Look;
+use super::look::Onlooker;
 use super::truth::Truth;
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
 use crate::field::Classical;
@@ -62,10 +62,10 @@ fn measure(bench: &Bench) -> Vec<Trial> {
     let tolerances = [0.1, 0.05, 0.02, 0.01];
     let mut trials = vec![];
     for name in [CORNELL, MIRROR, PANE] {
-        let look = Look::at(name, 128, PIXELS, WALKS);
+        let look = Onlooker::at(name, 128, PIXELS, WALKS);
         trials.extend(at_equal_error(&look, name, &tolerances, &PATHS, bench));
     }
-    let look = Look::at("cornell-mirror", 64, PIXELS, WALKS);
+    let look = Onlooker::at("cornell-mirror", 64, PIXELS, WALKS);
     trials.extend(strategies(&look, &[16.0, 64.0, 256.0], bench));
     trials.extend(drawn(256, &[1.0, 2.0, 3.0, 4.0, 6.0], 24, bench));
     trials
@@ -80,7 +80,7 @@ const WALKS: usize = 800;
 
 /// All methods at one look: pass 1 at `tolerances`, so many `paths` to a pixel.
 pub fn at_equal_error(
-    look: &Look,
+    look: &Onlooker,
     name: &str,
     tolerances: &[f64],
     paths: &[f64],
@@ -100,7 +100,7 @@ pub fn at_equal_error(
 }
 
 /// One look by paths that find lamps in three ways.
-pub fn strategies(look: &Look, paths: &[f64], bench: &Bench) -> Vec<Trial> {
+pub fn strategies(look: &Onlooker, paths: &[f64], bench: &Bench) -> Vec<Trial> {
     let mut contest = look.contest(STRATEGIES);
     for (name, strategy) in WAYS {
         contest = contest.with(look.paths(name, strategy, paths));

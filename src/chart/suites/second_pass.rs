@@ -1,7 +1,7 @@
 //! The second pass: a box with a mirror and one without, gloss in a room, and a lamp in one
 //! lobe.
 
-use super::look::{Look, solved};
+use super::look::{Onlooker, solved};
 use super::truth::Truth;
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
 use crate::film::{Picture, Shot};
@@ -11,7 +11,7 @@ use crate::random::Stream;
 use crate::raster::Seen;
 use crate::room::Room;
 use crate::scene::built_in;
-use crate::trace::{Cone, Gloss, Limits, LobeAs, Options, Strategy, TwoPass};
+use crate::trace::{Cone, Gloss, Limits, LobeAs, Look, Strategy, TwoPass};
 use glam::{DVec3, dvec2, dvec3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -74,7 +74,7 @@ fn measure(bench: &Bench) -> Vec<Trial> {
     let tolerances = [0.1, 0.05, 0.03, 0.02, 0.015, 0.01];
     let mut trials = vec![];
     for (name, scene) in [(MIRROR, "cornell-mirror"), (PLAIN, "cornell-regular")] {
-        let look = Look::at(scene, size, pixels, walks);
+        let look = Onlooker::at(scene, size, pixels, walks);
         let contest = look
             .contest(name)
             .with(look.two_passes(&tolerances))
@@ -102,7 +102,7 @@ pub fn gloss(size: u32, rays: usize, bench: &Bench) -> Vec<Trial> {
         let gloss = Gloss { lobe, rays };
         // None may be cut because it is one of many.
         let limits = Limits { weight: 0.0, ..Limits::default() };
-        let options = Options { gloss, seed, limits, ..Options::default() };
+        let options = Look { gloss, seed, limits, ..Look::default() };
         let two = TwoPass::showing(&Room::of(&scene), mesh, light, options);
         let shown = two.picture(&shot, &|_, _, _| {});
         (shown.picture, Work { rays: shown.rays, ..Work::default() })

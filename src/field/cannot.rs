@@ -1,6 +1,6 @@
 //! What a method does not know, said in one sentence.
 
-use crate::material::{Material, Shine};
+use crate::material::Material;
 use crate::room::Room;
 use crate::scene::Scene;
 use crate::sky::Sky;
@@ -38,9 +38,9 @@ impl Feature {
         match self {
             Feature::Sky => false,
             Feature::Sheet => material.translucence() != crate::geometry::Rgb::ZERO,
-            Feature::Mirror => matches!(material.shine(), Shine::Mirror { .. }),
-            Feature::Pane => matches!(material.shine(), Shine::Pane { .. }),
-            Feature::Glass => matches!(material.shine(), Shine::Glass { .. }),
+            Feature::Mirror => material.shine().mirror().is_some(),
+            Feature::Pane => material.shine().pane().is_some(),
+            Feature::Glass => material.shine().index_of_solid().is_some(),
         }
     }
 }
@@ -163,7 +163,7 @@ impl Dropped {
         let scene = room.scene;
         let glossy = |k: &usize| {
             let shine = scene.material(&scene.surfaces[*k]).shine();
-            matches!(shine, Shine::Gloss { .. }) && !shine.is_dull()
+            shine.gloss().is_some() && !shine.is_dull()
         };
         let all: Vec<usize> = (0..scene.surfaces.len()).filter(glossy).collect();
         let first = place(scene, *all.first()?);

@@ -44,7 +44,7 @@ pub fn gather_unbiased(
 ) -> Vec<Gathered> {
     let (scene, direct) = (room.scene, room.lamps());
     let on = scene.surfaces.iter().map(|s| direct.on(&s.polygon)).collect();
-    let rays = Specular::of(scene);
+    let rays = Specular::through(scene, room.visibility(), room.solids());
     let walker = Walker { scene, direct, on, rays };
     let of_element = |k: usize| {
         let mut random = Stream::named(seed, &[k as u64]);

@@ -51,7 +51,7 @@ impl Shine {
 
     /// Does light go through, and meet either side?
     pub fn passes(&self) -> bool {
-        matches!(self, Shine::Pane { .. } | Shine::Glass { .. })
+        self.clear().is_some()
     }
 
     /// The index of refraction of the solid whose boundary it is, if it is one.
@@ -70,9 +70,28 @@ impl Shine {
         }
     }
 
-    /// Is it a thin pane, which light goes straight through?
-    pub fn is_pane(&self) -> bool {
-        matches!(self, Shine::Pane { .. })
+    /// `Ks` of a mirror that mirrors anything.
+    pub fn mirror(&self) -> Option<Rgb> {
+        match *self {
+            Shine::Mirror { reflectance } => Some(reflectance),
+            _ => None,
+        }
+        .filter(|&reflectance| reflectance != Rgb::ZERO)
+    }
+
+    /// Index and tint of a thin pane, which light goes straight through.
+    pub fn pane(&self) -> Option<(f64, Rgb)> {
+        self.clear().filter(|_| !self.bends())
+    }
+
+    /// Index and tint of what is clear: panes, glass.
+    pub fn clear(&self) -> Option<(f64, Rgb)> {
+        match *self {
+            Shine::Pane { index, tint } | Shine::Glass { index, tint } => {
+                Some((index, tint))
+            }
+            _ => None,
+        }
     }
 
     /// Does light leave it in directions that show no image in a plane?

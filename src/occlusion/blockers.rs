@@ -11,7 +11,6 @@ use super::blocker::Blocker;
 use super::shaft::Shaft;
 use super::tiles::{convex_hull, in_plane, joined};
 use crate::geometry::{Polygon, bounds};
-use crate::material::Shine;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 use glam::DVec3;
@@ -65,10 +64,8 @@ impl Blockers {
         let surfaces: Vec<&Polygon> =
             scene.surfaces.iter().map(|s| &s.polygon).collect();
         // Light goes through panes: no wall has any, and none blocks.
-        let pane = |k: usize| {
-            let shine = scene.material(&scene.surfaces[k]).shine();
-            matches!(shine, Shine::Pane { .. })
-        };
+        let pane =
+            |k: usize| scene.material(&scene.surfaces[k]).shine().pane().is_some();
         let in_plane = |k: usize| in_plane(surfaces[k], margin, i64::from(pane(k)));
         let (wall_of, tiles) = joined(&surfaces, margin, in_plane);
         let walls: Vec<Polygon> =

@@ -2,7 +2,6 @@
 
 use crate::form_factor::ray_from;
 use crate::geometry::{Frame, Polygon, Rgb};
-use crate::material::Shine;
 use crate::mesh::Mesh;
 use crate::random::Stream;
 use crate::room::Room;
@@ -101,9 +100,8 @@ impl Survey {
             specular[surface.material] = shine;
         }
         found.mean_reflectance = mean.max_element();
-        let bends = |s: &&Shine| matches!(s, Shine::Gloss { .. } | Shine::Glass { .. });
         found.specular = specular.iter().flatten().count();
-        found.bent = specular.iter().flatten().filter(bends).count();
+        found.bent = specular.iter().flatten().filter(|shine| shine.bends()).count();
         let plain =
             found.specular == 0 && scene.surfaces.iter().all(|s| s.back.is_none());
         found.everywhere = everywhere(scene).filter(|_| plain && found.is_closed());

@@ -27,19 +27,18 @@ impl Scene {
 }
 
 fn dulled(material: &Material) -> Material {
+    if material.shine().is_dull() {
+        return material.clone();
+    }
     let (mut diffuse, mut translucence) = (material.diffuse(), material.translucence());
     // ANCHOR: dulled
-    match material.shine() {
-        Shine::Dull => return material.clone(),
-        Shine::Mirror { reflectance } | Shine::Gloss { reflectance, .. } => {
-            diffuse += reflectance;
-        }
-        Shine::Pane { index, tint } | Shine::Glass { index, tint } => {
-            let (r, t) = pane(1.0, index);
-            let share = material.smooth_share();
-            diffuse += share * r;
-            translucence += share * tint * t;
-        }
+    let shine = material.shine();
+    diffuse += shine.reflectance();
+    if let Some((index, tint)) = shine.clear() {
+        let (r, t) = pane(1.0, index);
+        let share = material.smooth_share();
+        diffuse += share * r;
+        translucence += share * tint * t;
     }
     // ANCHOR_END: dulled
     let scale = (MOST / (diffuse + translucence).max_element()).min(1.0);
@@ -47,7 +46,7 @@ fn dulled(material: &Material) -> Material {
         emission: material.emission(),
         diffuse: scale * diffuse,
         translucence: scale * translucence,
-        shine: Shine::Dull,
+        shine: Shine::default(),
     };
     // It is passive by the scale.
     Material::new(material.name(), coefficients).unwrap_or_else(|_| material.clone())

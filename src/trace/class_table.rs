@@ -154,7 +154,7 @@ impl Radiosities {
 /// both.
 fn variant(scene: &Scene, shines: bool, reflects: bool) -> Scene {
     let of = |material: &Material| {
-        let shine = if shines { material.shine() } else { Shine::Dull };
+        let shine = if shines { material.shine() } else { Shine::default() };
         // Of panes and glass, what is not diffuse passes: to change one changes both.
         if shine.passes() {
             return material.clone();

@@ -1,7 +1,7 @@
 //! The lamps as points of surfaces see them: exactly, with what hides them cut away.
 
 use crate::geometry::{Outline, Polygon, Rgb};
-use crate::material::{Coefficients, Material, Shine};
+use crate::material::{Coefficients, Material};
 use crate::occlusion::{Blocker, Blockers, lambert_visible, visible_parts};
 use crate::scene::Scene;
 use glam::DVec3;
@@ -134,8 +134,8 @@ fn with_dull_panes(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     for material in &mut scene.materials {
         let none = Coefficients::default();
-        if let (Shine::Pane { .. }, Ok(dull)) =
-            (material.shine(), Material::new(material.name(), none))
+        if let (Some(_), Ok(dull)) =
+            (material.shine().pane(), Material::new(material.name(), none))
         {
             *material = dull;
         }

@@ -40,7 +40,7 @@ impl<'s> Whitted<'s> {
         let scene = room.scene;
         let is_pane = |k: &u32| {
             let surface = &scene.surfaces[*k as usize];
-            scene.material(surface).shine().is_pane()
+            scene.material(surface).shine().pane().is_some()
         };
         let of_pane: Vec<u32> =
             (0..scene.surfaces.len() as u32).filter(is_pane).collect();

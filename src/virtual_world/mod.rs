@@ -44,7 +44,6 @@ pub use image::Image;
 pub use sight::Sight;
 
 use crate::geometry::{Polygon, Rgb};
-use crate::material::Shine;
 use crate::material::optics::pane;
 use crate::occlusion::{Blockers, joined_tiles};
 use crate::scene::{Scene, Side};
@@ -262,11 +261,8 @@ impl VirtualWorld {
 /// Flat mirrors whose share is not 0, and panes.
 fn mirrors_of(scene: &Scene, margin: f64) -> (Vec<Mirror>, Vec<Pane>) {
     let shining = scene.surfaces.iter().enumerate().filter(|(_, s)| {
-        match scene.material(s).shine() {
-            Shine::Mirror { reflectance } => reflectance != Rgb::ZERO,
-            Shine::Pane { .. } => s.side == Side::Front,
-            _ => false,
-        }
+        let shine = scene.material(s).shine();
+        shine.mirror().is_some() || shine.pane().is_some() && s.side == Side::Front
     });
     let shining: Vec<usize> = shining.map(|(k, _)| k).collect();
     let outlines: Vec<&Polygon> =
@@ -280,15 +276,18 @@ fn mirrors_of(scene: &Scene, margin: f64) -> (Vec<Mirror>, Vec<Pane>) {
             let surfaces = surfaces.clone();
             mirrors.push(Mirror { outline, surfaces, reflects, pane });
         };
-        match material.shine() {
-            Shine::Pane { index, tint } => {
+        match material.shine().pane() {
+            Some((index, tint)) => {
                 let (share, id) = (material.smooth_share(), Some(panes.len()));
                 let reflects = Reflects::Fresnel { share, index };
                 add(outline.clone(), reflects, id);
                 add(outline.flipped(), reflects, id);
                 panes.push(Pane { outline, index, passes: share * tint });
             }
-            shine => add(outline, Reflects::Always(shine.reflectance()), None),
+            None => {
+                let reflects = Reflects::Always(material.shine().reflectance());
+                add(outline, reflects, None);
+            }
         }
     }
     (mirrors, panes)

@@ -25,7 +25,7 @@ use std::borrow::Cow;
 #[derive(Debug)]
 pub struct Specular<'s> {
     scene: &'s Scene,
-    solids: Solids,
+    solids: Cow<'s, Solids>,
     visibility: Cow<'s, Visibility>,
     /// The surface that each piece is part of; none if the pieces are the surfaces.
     surface_of: Vec<u32>,
@@ -100,15 +100,15 @@ struct Leg {
 }
 
 impl<'s> Specular<'s> {
-    /// Makes a scene ready.
-    pub fn of(scene: &'s Scene) -> Specular<'s> {
-        let polygons = scene.surfaces.iter().map(|s| &s.polygon);
-        Specular::new(scene, Cow::Owned(Visibility::new(polygons)), vec![])
-    }
-
-    /// The same of a scene whose surfaces are ready to be met already.
-    pub fn through(scene: &'s Scene, visibility: &'s Visibility) -> Specular<'s> {
-        Specular::new(scene, Cow::Borrowed(visibility), vec![])
+    /// Of a scene whose surfaces and solids are ready to be met.
+    pub fn through(
+        scene: &'s Scene,
+        visibility: &'s Visibility,
+        solids: &'s Solids,
+    ) -> Specular<'s> {
+        let (visibility, solids) = (Cow::Borrowed(visibility), Cow::Borrowed(solids));
+        let shines = scene.shines();
+        Specular { scene, solids, visibility, surface_of: vec![], shines }
     }
 
     /// The same with the surfaces in `pieces`, each with the surface that it is part of: a
@@ -118,15 +118,8 @@ impl<'s> Specular<'s> {
         pieces: impl Iterator<Item = (u32, &'p Polygon)>,
     ) -> Specular<'s> {
         let (surface_of, polygons): (Vec<u32>, Vec<&Polygon>) = pieces.unzip();
-        Specular::new(scene, Cow::Owned(Visibility::new(polygons)), surface_of)
-    }
-
-    fn new(
-        scene: &'s Scene,
-        visibility: Cow<'s, Visibility>,
-        surface_of: Vec<u32>,
-    ) -> Specular<'s> {
-        let (solids, shines) = (Solids::of(scene), scene.shines());
+        let (solids, shines) = (Cow::Owned(Solids::of(scene)), scene.shines());
+        let visibility = Cow::Owned(Visibility::new(polygons));
         Specular { scene, solids, visibility, surface_of, shines }
     }
 

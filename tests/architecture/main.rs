@@ -211,3 +211,23 @@ fn input_cannot_make_it_panic() {
         }
     }
 }
+
+/// What a surface does besides scattering diffusely is told in one place: whoever follows
+/// rays asks `ways`, all others ask the material. Only files and built-in scenes name it.
+#[test]
+fn only_ways_reads_what_shines() {
+    let may =
+        ["material", "ways", "obj", "scene/builtin", "chart/suites/directional.rs"];
+    let named = |file: &PathBuf| {
+        let source = read(file);
+        code(&source)
+            .any(|(_, line)| line.replace("Shine::default", "").contains("Shine::"))
+    };
+    let files: Vec<String> =
+        rust_files("src").iter().filter(|file| named(file)).map(|f| name(f)).collect();
+    assert!(files.contains(&"src/ways/mod.rs".into()), "{files:?}");
+    for file in files {
+        let path = file.trim_start_matches("src/");
+        assert!(may.iter().any(|m| path.starts_with(m)), "{file} reads `Shine`");
+    }
+}

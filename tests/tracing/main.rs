@@ -6,6 +6,7 @@ mod common;
 
 mod classes;
 mod cone;
+mod media;
 mod path_glass;
 mod path_tracer;
 mod pictures;

@@ -40,7 +40,9 @@ impl Onlooker {
         let place = |k: usize| (k as f64 * step) as usize % all;
         let chosen =
             (0..pixels.min(all)).map(|k| if pixels < all { place(k) } else { k });
-        let eye = Eye { scene: &scene, rays: Specular::of(&scene) };
+        let room = Room::of(&scene);
+        let rays = Specular::through(&scene, room.visibility(), room.solids());
+        let eye = Eye { scene: &scene, rays };
         let ends: Vec<(usize, Vec<End>)> =
             chosen.filter_map(|k| Some((k, eye.ends(&ray(&shot, k))?))).collect();
         let pixels = ends.iter().map(|(k, _)| *k).collect();

@@ -6,7 +6,7 @@ use super::truth::Truth;
 use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
 use crate::film::{Picture, Shot};
 use crate::geometry::Polygon;
-use crate::material::{Lobe, Shine};
+use crate::material::Lobe;
 use crate::random::Stream;
 use crate::raster::Seen;
 use crate::room::Room;
@@ -112,7 +112,7 @@ pub fn gloss(size: u32, rays: usize, bench: &Bench) -> Vec<Trial> {
         let Seen::Front(element) = seen else { return false };
         let surface = mesh.surface_of(&mesh.elements[element as usize]);
         let material = scene.material(&scene.surfaces[surface as usize]);
-        matches!(material.shine(), Shine::Gloss { .. })
+        material.shine().gloss().is_some()
     };
     let pixels = (0..items.pixels().count()).zip(items.pixels());
     let pixels = pixels.filter(|(_, seen)| glossy(*seen)).map(|(k, _)| k).collect();

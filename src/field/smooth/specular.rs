@@ -11,7 +11,6 @@ use super::first_bounce::FirstBounce;
 use super::patches::Patches;
 use crate::form_factor::linear::{Followed, Moments};
 use crate::geometry::{Ray, Rgb};
-use crate::material::Shine;
 use crate::mesh::{ElementId, Mesh, PatchId};
 use crate::random::Stream;
 use crate::room::Direct;
@@ -68,12 +67,7 @@ impl<'a> SpecularTransport<'a> {
     ) -> SpecularTransport<'a> {
         let pieces = elements.elements.iter();
         let pieces = pieces.map(|e| (elements.surface_of(e), &e.polygon));
-        let bends = |s: &Surface| {
-            matches!(
-                scene.material(s).shine(),
-                Shine::Gloss { .. } | Shine::Glass { .. }
-            )
-        };
+        let bends = |s: &Surface| scene.material(s).shine().bends();
         let density = if scene.surfaces.iter().any(bends) { RAYS_BENT } else { RAYS };
         let rays = Specular::of_pieces(scene, pieces);
         SpecularTransport { scene, direct, rays, density }

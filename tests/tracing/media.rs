@@ -1,9 +1,7 @@
 //! Solids of glass in, on and beside each other: no tracer makes light, and all agree.
 
-mod common;
-
-use common::paths::{by_chance, dull, glass, glow, pane, shiny, sphere};
-use common::rooms::{box_walls, moved, rectangle};
+use crate::common::paths::{by_chance, dull, glass, glow, pane, shiny, sphere};
+use crate::common::rooms::{box_walls, moved, rectangle};
 use glam::{DMat3, DVec3, dvec3};
 use radiosity::geometry::{Polygon, Ray, Rgb};
 use radiosity::material::Coefficients;
@@ -42,7 +40,8 @@ fn seen(scene: &Scene, ray: Ray, limits: Limits) -> Vec<(&'static str, f64, f64)
     ];
     let trees = trees.map(|(name, found)| (name, found.radiance.x + found.cut.x, 1e-9));
     let tracer = PathTracer::of(&Room::of(scene));
-    let walk = Specular::of(scene);
+    let room = Room::of(scene);
+    let walk = Specular::through(scene, room.visibility(), room.solids());
     let by = |how: Branching, random: &mut Stream| {
         let mut sum = 0.0;
         walk.follow((ray, None), how, random, &mut |arrival| {

@@ -51,7 +51,7 @@ impl Hit {
 #[derive(Clone, Debug, Default)]
 pub struct Visibility {
     triangles: Vec<Triangle>,
-    nodes: Vec<Node>,
+    nodes: Vec<BoxNode>,
 }
 
 #[derive(Clone, Debug)]
@@ -67,7 +67,7 @@ struct Triangle {
 const ROUNDING: f64 = 1e-13;
 
 #[derive(Clone, Debug)]
-struct Node {
+struct BoxNode {
     /// The corners of its box: low, high.
     ends: [DVec3; 2],
     /// Of a leaf: its first triangle. Else: its second child; the first one follows it.
@@ -162,7 +162,7 @@ impl Visibility {
         }
     }
 
-    fn of_leaf(&self, node: &Node) -> impl Iterator<Item = &Triangle> {
+    fn of_leaf(&self, node: &BoxNode) -> impl Iterator<Item = &Triangle> {
         self.triangles[node.next as usize..][..node.count as usize].iter()
     }
 
@@ -172,7 +172,7 @@ impl Visibility {
         let own = &self.triangles[range.clone()];
         let (low, high) = bounds(own.iter().flat_map(|t| t.corners));
         let (next, count) = (range.start as u32, range.len() as u32);
-        self.nodes.push(Node { ends: [low, high], next, count });
+        self.nodes.push(BoxNode { ends: [low, high], next, count });
         if range.len() <= LEAF {
             return;
         }
@@ -249,7 +249,7 @@ impl Slabs {
     }
 
     /// Where the ray enters the box of `node`: its distance; `None` when it misses.
-    fn entry(&self, node: &Node) -> Option<f64> {
+    fn entry(&self, node: &BoxNode) -> Option<f64> {
         let (mut enter, mut leave) = (0.0_f64, f64::INFINITY);
         for k in 0..3 {
             let (near, far) = (node.ends[self.near[k]], node.ends[1 - self.near[k]]);

@@ -1,6 +1,6 @@
 //! Charts of measurements that are kept with their date: error over time.
 
-use radiosity::chart::{Chart, Line, Mark, SUITES, Suite, Trial, View};
+use radiosity::chart::{Chart, ChartView, Line, Mark, SUITES, Suite, Trial};
 
 /// One measurement: a row of the CSV.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,7 +57,7 @@ pub fn files() -> Vec<(String, String)> {
         let path = crate::generated::root().join(format!("data/{}.csv", suite.name));
         let csv = std::fs::read_to_string(&path);
         let trials = trials(&csv.unwrap_or_else(|e| panic!("{}: {e}", path.display())));
-        let chart = |view: &View| {
+        let chart = |view: &ChartView| {
             (format!("../data/{}.svg", view.file), view.chart(&trials).svg())
         };
         suite.views.iter().map(chart).collect::<Vec<_>>()

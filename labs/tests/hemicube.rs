@@ -38,11 +38,11 @@ fn exact_weights_sum_to_one_and_are_those_of_the_library() {
         let ours = table(n, exact_top, exact_side);
         assert!((sum(&ours) - 1.0).abs() < 1e-13, "n = {n}: {}", sum(&ours));
         let theirs = library::Weights::exact(n as u32);
-        let top = theirs.of(library::Face::Top);
+        let top = theirs.of(library::CubeFace::Top);
         let off = ours.top.iter().zip(top).map(|(a, b)| (a - b).abs());
         assert!(off.fold(0.0, f64::max) < 1e-15, "n = {n}, top");
         // The library's rows go down from the top, the lab's up from the base.
-        let side = theirs.of(library::Face::East).chunks(n).rev().flatten();
+        let side = theirs.of(library::CubeFace::East).chunks(n).rev().flatten();
         let off = ours.side.iter().zip(side).map(|(a, b)| (a - b).abs());
         assert!(off.fold(0.0, f64::max) < 1e-15, "n = {n}, side");
     }

@@ -55,7 +55,7 @@ use crate::visibility::Visibility;
 use gathering::{Gathering, Point};
 use glam::DVec3;
 use interval::Norm;
-use propagate::Exchange;
+use propagate::StrataExchange;
 use strata::Strata;
 
 /// What a field's error is, as far as sampling can tell.
@@ -151,7 +151,7 @@ pub fn audit(
     let strata = Strata::of(mesh, &scattered, sampling.points);
     let points =
         Gathering::new((scene, visibility, lamps), &strata, field, sampling).all();
-    let exchange = Exchange::of(&strata, &scattered, &points);
+    let exchange = StrataExchange::of(&strata, &scattered, &points);
     let means = exchange.errors(&points, sampling.seed);
     // ANCHOR: products
     let pairs = |of: &dyn Fn(&Point, usize) -> Rgb| -> Vec<Rgb> {

@@ -15,7 +15,7 @@ const SETTLED: f64 = 1e-3;
 const REDRAWN: u64 = 8;
 
 /// Which strata light which: `K`, as the rays of all points saw it.
-pub(super) struct Exchange {
+pub(super) struct StrataExchange {
     /// Per stratum: other strata and what `B` there counts here.
     rows: Vec<Vec<(u32, Rgb)>>,
     /// `ρ + τ`.
@@ -37,9 +37,9 @@ pub(super) struct Means {
     pub reflectance: Rgb,
 }
 
-impl Exchange {
+impl StrataExchange {
     /// `scattered` is `ρ + τ` per element.
-    pub fn of(strata: &Strata, scattered: &[Rgb], points: &[Point]) -> Exchange {
+    pub fn of(strata: &Strata, scattered: &[Rgb], points: &[Point]) -> StrataExchange {
         let mut row = vec![Rgb::ZERO; strata.len()];
         let mut rows = Vec::with_capacity(strata.len());
         for group in points.chunk_by(|a, b| a.stratum == b.stratum) {
@@ -52,7 +52,11 @@ impl Exchange {
         }
         let element = |h: usize| strata.pieces[strata.members[h].start].element;
         let reflectance = (0..strata.len()).map(|h| scattered[element(h) as usize]);
-        Exchange { rows, reflectance: reflectance.collect(), area: strata.area.clone() }
+        StrataExchange {
+            rows,
+            reflectance: reflectance.collect(),
+            area: strata.area.clone(),
+        }
     }
 
     /// The mean errors that the mean residuals of `points` lead to.

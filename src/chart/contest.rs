@@ -3,7 +3,7 @@
 
 #![allow(missing_debug_implementations)] // they hold functions: what is run, how it is judged
 
-use super::{Trial, Work};
+use super::{Trial, WorkDone};
 use std::hint::black_box;
 
 /// Tells time and memory. The library has no clock: who runs a contest brings it.
@@ -50,13 +50,13 @@ pub struct Method<'a, A> {
     name: String,
     settings: Vec<f64>,
     seeds: u64,
-    run: Box<dyn Fn(f64, u64) -> (A, Work) + 'a>,
+    run: Box<dyn Fn(f64, u64) -> (A, WorkDone) + 'a>,
 }
 // ANCHOR_END: method
 
 /// A function of a setting and a seed: an answer, and the work that it took.
-pub trait Run<A>: Fn(f64, u64) -> (A, Work) {}
-impl<A, F: Fn(f64, u64) -> (A, Work)> Run<A> for F {}
+pub trait Run<A>: Fn(f64, u64) -> (A, WorkDone) {}
+impl<A, F: Fn(f64, u64) -> (A, WorkDone)> Run<A> for F {}
 
 impl<'a, A> Method<'a, A> {
     /// Gives the same answer each time; its seed is 0.

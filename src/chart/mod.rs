@@ -35,5 +35,5 @@ pub use race::Race;
 pub use side_by_side::{Comparison, Effort, Panel};
 pub use suites::{SUITES, Suite, suite};
 pub use svg::{Chart, Line, Mark};
-pub use trial::{COLUMNS, Trial, Work, csv, number, read};
-pub use view::{Column, View, exponent};
+pub use trial::{COLUMNS, Trial, WorkDone, csv, number, read};
+pub use view::{ChartView, Column, exponent};

@@ -5,7 +5,7 @@
 //! error = ‖H − H*‖/‖H*‖          over patches, area norm, worst channel
 //! ```
 
-use super::{Verdict, Work};
+use super::{Verdict, WorkDone};
 use crate::field::{Field, Fineness, Pass1, Smooth, gather_unbiased};
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
@@ -47,22 +47,26 @@ impl<'a> Patches<'a> {
 
     /// Smooth light as it is resolved for this `tolerance` of the field: the mean irradiance
     /// of each patch, and the work.
-    pub fn by_smooth(&self, tolerance: f64) -> (Vec<Rgb>, Work) {
+    pub fn by_smooth(&self, tolerance: f64) -> (Vec<Rgb>, WorkDone) {
         let room = Room::of(self.scene);
         let how = Smooth.first(&room, tolerance);
         let light = Smooth.field(&room, &how, &crate::work::Work::quiet());
         let pixels = 3 * u64::from(how.hemicube).pow(2) * light.rows as u64;
         let (patches, steps) = (light.patches as u64, light.steps as u64);
-        let work =
-            Work { pixels, steps, factors: patches * patches, ..Work::default() };
+        let work = WorkDone {
+            pixels,
+            steps,
+            factors: patches * patches,
+            ..WorkDone::default()
+        };
         (means(&self.patches, &light), work)
     }
 
     /// The same by so many random walks from each patch.
-    pub fn by_walks(&self, walks: usize, seed: u64) -> (Vec<Rgb>, Work) {
+    pub fn by_walks(&self, walks: usize, seed: u64) -> (Vec<Rgb>, WorkDone) {
         let found = gather_unbiased(&Room::of(self.scene), &self.patches, walks, seed);
         let rays = (walks * self.patches.elements.len()) as u64;
-        let work = Work { rays, ..Work::default() };
+        let work = WorkDone { rays, ..WorkDone::default() };
         (found.iter().map(|g| g.irradiance).collect(), work)
     }
 

@@ -1,6 +1,6 @@
 //! The race of the solvers: one room, one accuracy, all ways to get there.
 
-use super::Work;
+use super::WorkDone;
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::{FormFactors, Lost, Matrix, Row, close};
 use crate::geometry::Rgb;
@@ -51,7 +51,7 @@ pub fn contestants() -> [Contestant; 6] {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finish {
     /// Steps are sweeps or shots; factors are transfers, from one element to one other.
-    pub work: Work,
+    pub work: WorkDone,
     /// The error is at most this, relative to the reflected light.
     pub bound: f64,
     /// Is that the accuracy asked for?
@@ -104,7 +104,7 @@ impl Race {
         let contraction = contraction(&enclosure, &self.factors);
         let bytes = all * size_of::<(u32, f64)>() as u64;
         let mut finish = Finish {
-            work: Work { bytes, ..Work::default() },
+            work: WorkDone { bytes, ..WorkDone::default() },
             bound: f64::INFINITY,
             converged: false,
         };

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 /// What a method did, counted: the same on every machine. What it does not do is 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Work {
+pub struct WorkDone {
     /// Form factors, or links, that were computed.
     pub factors: u64,
     /// Rays that were cast, or points that were asked.
@@ -33,7 +33,7 @@ pub struct Trial {
     /// How often it was run.
     pub runs: u64,
     /// What it did.
-    pub work: Work,
+    pub work: WorkDone,
     /// The most that it held at one time, bytes; what was there before does not count.
     pub memory: u64,
     /// How far it was off: the scene says in which measure. Of a random method the root
@@ -55,7 +55,7 @@ pub fn csv(origin: &str, trials: &[Trial]) -> String {
     csv += COLUMNS;
     csv.push('\n');
     for t in trials {
-        let Work { factors, rays, pixels, steps, bytes } = t.work;
+        let WorkDone { factors, rays, pixels, steps, bytes } = t.work;
         let energy = t.energy.map_or(String::new(), |e| format!("{e:.3e}"));
         // Writing to a string cannot fail.
         let _ = writeln!(
@@ -136,7 +136,7 @@ fn trial(line: &str) -> Result<Trial, String> {
         setting: *setting,
         seconds: *seconds,
         runs: count(runs),
-        work: Work { factors, rays, pixels, steps, bytes },
+        work: WorkDone { factors, rays, pixels, steps, bytes },
         memory: count(memory),
         error,
         uncertainty: if uncertainty.is_nan() { 0.0 } else { uncertainty },

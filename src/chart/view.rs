@@ -49,7 +49,7 @@ impl Column {
 
 /// One chart of a suite.
 #[derive(Debug, Clone, Copy)]
-pub struct View {
+pub struct ChartView {
     /// Its file's name, without ending.
     pub file: &'static str,
     /// What it shows, in a sentence.
@@ -64,7 +64,7 @@ pub struct View {
     pub shows: fn(&Trial) -> bool,
 }
 
-impl View {
+impl ChartView {
     /// The chart: a line for each method, named by its scene, too, if there are several. Of
     /// errors over effort the frontier is marked: who is not on it is beaten both ways.
     pub fn chart(&self, trials: &[Trial]) -> Chart {

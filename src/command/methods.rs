@@ -17,7 +17,7 @@ use radiosity::room::Room;
 use radiosity::scene::Scene;
 use radiosity::sky::Sky;
 use radiosity::solution::Solution;
-use radiosity::trace::{Limits, Look, PathTracer, Row, Table, TwoPass, Whitted};
+use radiosity::trace::{ClassRow, Limits, Look, PathTracer, Table, TwoPass, Whitted};
 use serde_json::{Value, json};
 
 /// How light is followed.
@@ -180,7 +180,7 @@ pub fn classes(scene: &Scene, &Shown { ref shot, seed, .. }: &Shown) -> Table {
 
 /// The table as `--json` has it: mean radiance over the picture, W/(m² sr).
 pub fn classes_json(table: &Table) -> Value {
-    let row = |row: Row| {
+    let row = |row: ClassRow| {
         json!({
             "paths": row.class.word(), "what": row.class.name(),
             "owner": row.class.owner().name(),
@@ -193,7 +193,9 @@ pub fn classes_json(table: &Table) -> Value {
 /// The same for people, channels as one luminance, classes without any light left out.
 pub fn classes_text(table: &Table) -> String {
     let mut text = String::from("whose light it shows, mean radiance in W/(m² sr):\n");
-    for Row { class, mean, error } in table.rows().filter(|row| row.mean != Rgb::ZERO) {
+    for ClassRow { class, mean, error } in
+        table.rows().filter(|row| row.mean != Rgb::ZERO)
+    {
         let (mean, error) = (luminance(mean), luminance(error));
         let (word, name, owner) = (class.word(), class.name(), class.owner().name());
         text += &format!("{word:<8}{mean:>10.4} ± {error:<10.4}{name}, {owner}\n");

@@ -23,8 +23,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// Light at a point of an element, W/m².
-pub(super) type Light<'a> = &'a (dyn Fn(&Element, DVec3) -> Rgb + Sync);
+/// LightAt at a point of an element, W/m².
+pub(super) type LightAt<'a> = &'a (dyn Fn(&Element, DVec3) -> Rgb + Sync);
 
 /// Points of an element, each with an area, in scene units squared.
 pub(super) type Peaks<'a> = &'a (dyn Fn(&Element) -> Vec<(DVec3, f64)> + Sync);
@@ -41,7 +41,7 @@ pub(super) enum Asked {
 /// How light is made linear between corners.
 pub(super) struct Refinement<'a> {
     pub scene: &'a Scene,
-    pub light: Light<'a>,
+    pub light: LightAt<'a>,
     /// `ρ` of an element.
     pub reflectance: &'a (dyn Fn(&Element) -> Rgb + Sync),
     pub ask: Asked,

@@ -1,6 +1,6 @@
 //! Drawings: the unfolded hemicube, and outlines of elements.
 
-use crate::form_factor::hemicube::{Face, Hemicube};
+use crate::form_factor::hemicube::{CubeFace, Hemicube};
 use crate::mesh::Mesh;
 use crate::raster::{ItemBuffer, Seen, View};
 use glam::{DVec2, DVec3, dvec2};
@@ -29,7 +29,7 @@ pub fn hemicube_cross(
     point: DVec3,
     normal: DVec3,
     cell: u32,
-    colour: impl Fn(Face, usize, Seen) -> [u8; 3],
+    colour: impl Fn(CubeFace, usize, Seen) -> [u8; 3],
 ) -> RgbImage {
     let n = cube.resolution();
     let half = n / 2;
@@ -39,11 +39,11 @@ pub fn hemicube_cross(
         for (k, seen) in cells.pixels().enumerate() {
             let (x, y) = (k as u32 % n, k as u32 / n);
             let (x, y) = match face {
-                Face::Top => (half + x, half + y),
-                Face::South => (half + x, half + n + y),
-                Face::North => (half + n - 1 - x, half - 1 - y),
-                Face::East => (half + n + y, half + n - 1 - x),
-                Face::West => (half - 1 - y, half + x),
+                CubeFace::Top => (half + x, half + y),
+                CubeFace::South => (half + x, half + n + y),
+                CubeFace::North => (half + n - 1 - x, half - 1 - y),
+                CubeFace::East => (half + n + y, half + n - 1 - x),
+                CubeFace::West => (half - 1 - y, half + x),
             };
             page.square(x * cell, y * cell, cell - gap, colour(face, k, seen));
         }

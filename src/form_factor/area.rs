@@ -27,7 +27,7 @@ use std::f64::consts::PI;
 
 /// A mean and how far it may be off.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Estimate {
+pub struct AreaEstimate {
     /// `A_i F_ij`, scene units squared.
     pub exchange: f64,
     /// Its standard error, as if the points were independent; they fill their space more
@@ -42,12 +42,12 @@ pub fn sampled(
     scene: &Visibility,
     n: usize,
     seed: u64,
-) -> Estimate {
+) -> AreaEstimate {
     let (mean, error) = mean_of(i, j, n, seed, |x, y| {
         let kernel = kernel(i, x, j, y);
         if kernel > 0.0 && sees(scene, x, y) { kernel } else { 0.0 }
     });
-    Estimate { exchange: mean, standard_error: error }
+    AreaEstimate { exchange: mean, standard_error: error }
 }
 
 // ANCHOR: controlled
@@ -58,12 +58,12 @@ pub fn controlled(
     scene: &Visibility,
     n: usize,
     seed: u64,
-) -> Estimate {
+) -> AreaEstimate {
     let (hidden, error) = mean_of(i, j, n, seed, |x, y| {
         let kernel = kernel(i, x, j, y);
         if kernel > 0.0 && !sees(scene, x, y) { kernel } else { 0.0 }
     });
-    Estimate {
+    AreaEstimate {
         exchange: exchange(i, j, Accuracy::Best) - hidden,
         standard_error: error,
     }

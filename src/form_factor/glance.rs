@@ -28,12 +28,12 @@ pub struct Glance {
     /// How far the factor is from the mean alone, in root mean square, `≥ 0`.
     pub spread: f64,
     /// What may stand between?
-    pub sight: Sight,
+    pub sight: Obstruction,
 }
 
 /// How two polygons see each other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Sight {
+pub enum Obstruction {
     /// Nothing can stand between them.
     Free,
     /// Something may.
@@ -56,13 +56,18 @@ type Sample = (DVec3, f64, f64);
 
 /// Looks from a polygon to the front of another. `sight` is what is known beforehand:
 /// pieces of two polygons that see each other freely do so too.
-pub fn glance(from: &Polygon, to: &Polygon, scene: &Blockers, sight: Sight) -> Glance {
-    if sight == Sight::Hidden || !face(from, to) {
+pub fn glance(
+    from: &Polygon,
+    to: &Polygon,
+    scene: &Blockers,
+    sight: Obstruction,
+) -> Glance {
+    if sight == Obstruction::Hidden || !face(from, to) {
         return Glance::default();
     }
     // ANCHOR: glance_sight
     let between = match sight {
-        Sight::Free => Vec::new(),
+        Obstruction::Free => Vec::new(),
         _ => scene.between(from, to),
     };
     if between.iter().any(|blocker| blocker.hides_all(from, to)) {
@@ -84,10 +89,10 @@ pub fn glance(from: &Polygon, to: &Polygon, scene: &Blockers, sight: Sight) -> G
     });
     if between.is_empty() {
         let mean = exchange(from, to, EXACT) / area;
-        fit(from, &samples, Some(mean), 0.0, Sight::Free)
+        fit(from, &samples, Some(mean), 0.0, Obstruction::Free)
     } else {
         let unseen = if all || none { UNSEEN * open } else { 0.0 };
-        fit(from, &samples, None, unseen, Sight::Partial)
+        fit(from, &samples, None, unseen, Obstruction::Partial)
     }
 }
 
@@ -97,7 +102,7 @@ fn fit(
     samples: &[Sample],
     exact: Option<f64>,
     unseen: f64,
-    sight: Sight,
+    sight: Obstruction,
 ) -> Glance {
     let sum = |f: &dyn Fn(&Sample) -> f64| samples.iter().map(f).sum::<f64>();
     let by_points = sum(&|(_, w, f)| w * f);

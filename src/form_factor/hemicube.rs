@@ -32,7 +32,7 @@ use std::f64::consts::{PI, TAU};
 
 /// One of the five faces of a hemicube. `x`, `y`, `z` are the axes of its [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Face {
+pub enum CubeFace {
     /// `z = 1`; `x` runs to the right, `y` up.
     Top,
     /// `x = 1`; `y` runs to the right, `z` up.
@@ -45,10 +45,15 @@ pub enum Face {
     South,
 }
 
-impl Face {
+impl CubeFace {
     /// All five, the top first, the sides counter-clockwise.
-    pub const ALL: [Face; 5] =
-        [Face::Top, Face::East, Face::North, Face::West, Face::South];
+    pub const ALL: [CubeFace; 5] = [
+        CubeFace::Top,
+        CubeFace::East,
+        CubeFace::North,
+        CubeFace::West,
+        CubeFace::South,
+    ];
 
     /// What the eye sees through this face. The sides end at the horizon.
     pub fn view(self, eye: DVec3, frame: &Frame) -> View {
@@ -56,11 +61,11 @@ impl Face {
         let &Frame { x, y, z } = frame;
         let side = |right, forward| View::new(eye, right, 2.0 * z - forward, forward);
         match self {
-            Face::Top => View::new(eye, x, y, z),
-            Face::East => side(y, x),
-            Face::North => side(-x, y),
-            Face::West => side(-y, -x),
-            Face::South => side(x, -y),
+            CubeFace::Top => View::new(eye, x, y, z),
+            CubeFace::East => side(y, x),
+            CubeFace::North => side(-x, y),
+            CubeFace::West => side(-y, -x),
+            CubeFace::South => side(x, -y),
         }
         // ANCHOR_END: views
     }
@@ -68,7 +73,7 @@ impl Face {
     /// Columns and rows of cells, when the top has `resolution` of each.
     pub fn size(self, resolution: u32) -> (u32, u32) {
         match self {
-            Face::Top => (resolution, resolution),
+            CubeFace::Top => (resolution, resolution),
             _ => (resolution, resolution / 2),
         }
     }
@@ -137,8 +142,8 @@ impl Weights {
     }
 
     /// The weights of one face's cells.
-    pub fn of(&self, face: Face) -> &[f64] {
-        if face == Face::Top { &self.top } else { &self.side }
+    pub fn of(&self, face: CubeFace) -> &[f64] {
+        if face == CubeFace::Top { &self.top } else { &self.side }
     }
 
     /// Sum over the five faces.
@@ -254,7 +259,7 @@ impl<'m> Hemicube<'m> {
         &self,
         point: DVec3,
         normal: DVec3,
-        show: impl FnMut(Face, &ItemBuffer),
+        show: impl FnMut(CubeFace, &ItemBuffer),
     ) {
         self.draw(point, &self.frame(point, normal), None, show);
     }
@@ -286,11 +291,11 @@ impl<'m> Hemicube<'m> {
         eye: DVec3,
         frame: &Frame,
         own: Option<u32>,
-        mut show: impl FnMut(Face, &ItemBuffer),
+        mut show: impl FnMut(CubeFace, &ItemBuffer),
     ) {
         self.painter.with_buffer(|buffer| {
             // ANCHOR: faces
-            for face in Face::ALL {
+            for face in CubeFace::ALL {
                 let (width, height) = face.size(self.resolution);
                 buffer.reset(width, height);
                 self.painter.paint(&face.view(eye, frame), own, buffer);

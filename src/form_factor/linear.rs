@@ -13,7 +13,7 @@
 
 use super::Lost;
 use super::coordinates::{InView, PatchCoordinates};
-use super::hemicube::{Face, Weights};
+use super::hemicube::{CubeFace, Weights};
 use super::painter::Painter;
 use crate::geometry::{Frame, Polygon, Rgb};
 use crate::mesh::{Element, ElementId, PatchId, TwoLevels};
@@ -173,7 +173,7 @@ impl<'m> Linear<'m> {
         };
         let frame = Frame::about(normal);
         self.painter.with_buffer(|buffer| {
-            for face in Face::ALL {
+            for face in CubeFace::ALL {
                 let (width, height) = face.size(self.resolution);
                 let view = face.view(point, &frame);
                 buffer.reset(width, height);

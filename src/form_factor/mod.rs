@@ -46,7 +46,7 @@ pub mod shortcuts;
 pub use accuracy::Accuracy;
 pub use close::{Closing, close, closure};
 pub use contour::exchange_by_contour;
-pub use glance::{Glance, Sight, glance};
+pub use glance::{Glance, Obstruction, glance};
 pub use matrix::{Cached, Matrix, Row};
 pub use pair::{form_factor, form_factor_past};
 

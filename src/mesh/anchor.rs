@@ -40,7 +40,7 @@ impl Mesh {
 }
 
 /// An edge of an element that no other element has in common with it.
-struct Edge {
+struct HangingEdge {
     ends: [VertexId; 2],
     element: usize,
 }
@@ -97,7 +97,7 @@ impl Builder {
     }
 
     /// Edges that only one element has, by the line in which they lie.
-    fn free_edges(&self) -> BTreeMap<(u32, [i64; 6]), Vec<Edge>> {
+    fn free_edges(&self) -> BTreeMap<(u32, [i64; 6]), Vec<HangingEdge>> {
         let mesh = self.mesh();
         let mut edges: HashMap<[VertexId; 2], (usize, usize)> = HashMap::new();
         for (element, Element { corners, .. }) in mesh.elements.iter().enumerate() {
@@ -109,7 +109,7 @@ impl Builder {
         }
         let (low, high) = bounds(mesh.vertices.iter().copied());
         let (origin, size) = (0.5 * (low + high), low.distance(high));
-        let mut lines: BTreeMap<(u32, [i64; 6]), Vec<Edge>> = BTreeMap::new();
+        let mut lines: BTreeMap<(u32, [i64; 6]), Vec<HangingEdge>> = BTreeMap::new();
         let mut free: Vec<([VertexId; 2], usize)> = edges
             .into_iter()
             .filter(|(_, (count, _))| *count == 1)
@@ -128,7 +128,7 @@ impl Builder {
             let line = [x, y, z, u, v, w].map(|c| c.round() as i64);
             let surface = mesh.surface_of(&mesh.elements[element]);
             let (plane, _) = mesh.planes.of_surface(surface);
-            lines.entry((plane, line)).or_default().push(Edge { ends, element });
+            lines.entry((plane, line)).or_default().push(HangingEdge { ends, element });
         }
         lines
     }

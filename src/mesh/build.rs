@@ -96,7 +96,7 @@ impl Builder {
         8.0 * self.welder.quantum
     }
 
-    fn place(&self, surface: u32, at: DVec3, middle: DVec3) -> Place {
+    fn place(&self, surface: u32, at: DVec3, middle: DVec3) -> VertexPlace {
         let (plane, contacts) = self.mesh.planes.of_surface(surface);
         (plane, self.welder.quanta(at), contacts.sides(at, middle))
     }
@@ -114,11 +114,11 @@ impl Builder {
 }
 
 /// What tells vertices apart: plane, place in quanta, sides of the contacts there.
-type Place = (u32, [i64; 3], Vec<(u32, bool)>);
+type VertexPlace = (u32, [i64; 3], Vec<(u32, bool)>);
 
 /// Gives corners that coincide the same vertex.
 struct Welder {
-    known: HashMap<Place, VertexId>,
+    known: HashMap<VertexPlace, VertexId>,
     quantum: f64,
 }
 
@@ -135,7 +135,7 @@ impl Welder {
 
     fn vertex(
         &mut self,
-        place: Place,
+        place: VertexPlace,
         at: DVec3,
         vertices: &mut Vec<DVec3>,
     ) -> VertexId {

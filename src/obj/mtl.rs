@@ -11,7 +11,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// Where something is written.
-type Place = (PathBuf, usize);
+type LinePlace = (PathBuf, usize);
 
 /// All materials of all MTL files.
 #[derive(Default)]
@@ -38,7 +38,7 @@ pub(super) fn read(
 ) -> Result<Library, ObjError> {
     let folder = obj.parent().unwrap_or(Path::new(""));
     let mut read: Vec<PathBuf> = Vec::new();
-    let mut scan = Scan::default();
+    let mut scan = MtlScan::default();
     for (name, line) in named {
         let files = files(folder, name, &open).map_err(|(file, error)| {
             let message = format!(
@@ -79,17 +79,17 @@ fn files(
 
 /// Checked statements of MTL files.
 #[derive(Default)]
-struct Scan {
+struct MtlScan {
     /// The plain copy that tobj reads.
     text: String,
     /// Where each material begins.
-    places: Vec<Place>,
+    places: Vec<LinePlace>,
     /// For each material, where its keys stand.
-    keys: Vec<HashMap<String, Place>>,
+    keys: Vec<HashMap<String, LinePlace>>,
     warnings: Vec<String>,
 }
 
-impl Scan {
+impl MtlScan {
     fn file(&mut self, file: &Path, bytes: &[u8]) -> Result<(), ObjError> {
         let mut begun = false;
         for statement in statements(file, bytes)? {
@@ -136,7 +136,7 @@ impl Scan {
     ) -> Result<Library, ObjError> {
         let (raw, index) = tobj::load_mtl_buf(&mut self.text.as_bytes())
             .map_err(|error| ObjError::new(obj, None, error))?;
-        let Scan { places, keys, mut warnings, .. } = self;
+        let MtlScan { places, keys, mut warnings, .. } = self;
         let mut materials = Vec::with_capacity(raw.len());
         let mut notes = Vec::new();
         let mut maps = Maps::new(open);

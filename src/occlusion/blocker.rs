@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
 
 /// The planes of a convex cone, facing inward.
-pub(super) type Cone = SmallVec<[Plane; 6]>;
+pub(super) type ShadowCone = SmallVec<[Plane; 6]>;
 
 /// A convex sheet or solid.
 #[derive(Clone, Debug)]
@@ -137,7 +137,7 @@ impl Blocker {
         &self,
         p: DVec3,
         target: &Polygon,
-        cones: &mut Vec<Cone>,
+        cones: &mut Vec<ShadowCone>,
     ) {
         let front = target.plane();
         let rounding = 1e-12 * p.distance(self.middle);
@@ -158,10 +158,10 @@ impl Blocker {
     }
 
     /// The cone over the silhouette; `None` when all of the target is outside it.
-    fn cone(&self, p: DVec3, target: &Polygon) -> Option<Cone> {
+    fn cone(&self, p: DVec3, target: &Polygon) -> Option<ShadowCone> {
         let looks: SmallVec<[bool; 8]> =
             self.faces.iter().map(|f| f.height(p) > 0.0).collect();
-        let mut cone = Cone::new();
+        let mut cone = ShadowCone::new();
         for Edge { ends: [a, b], between: [f, g] } in &self.edges {
             if looks[*f] == looks[*g] {
                 continue;
@@ -230,7 +230,7 @@ impl Blocker {
 }
 
 /// The cone of the sheet's part in front of the target; `None` when it hides nothing.
-fn cone_of_sheet(p: DVec3, sheet: &Polygon, target: &Polygon) -> Option<Cone> {
+fn cone_of_sheet(p: DVec3, sheet: &Polygon, target: &Polygon) -> Option<ShadowCone> {
     let rest = clip(sheet.vertices(), target.plane());
     let rest = Polygon::piece(rest.to_vec(), sheet.normal())?;
     let rest = Blocker::sheet(&rest);

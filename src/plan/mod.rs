@@ -75,7 +75,7 @@ impl fmt::Display for Decision {
 
 /// How a scene is solved.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Way {
+pub enum PlannedWay {
     /// Not at all: this radiosity, in W/m², is everywhere.
     Everywhere(Rgb),
     /// Direct light exactly, and what is reflected, if it is, by hemicubes on patches; to
@@ -91,7 +91,7 @@ pub struct Plan {
     /// What was found.
     pub survey: Survey,
     /// What will be done.
-    pub way: Way,
+    pub way: PlannedWay,
     /// Why.
     pub decisions: Vec<Decision>,
     /// The work that this will be, as far as can be told.
@@ -114,21 +114,21 @@ impl Plan {
         let first = Smooth.first(room, tolerance);
         let enough = SHARE_OF_BOUNCES * tolerance;
         let way = match survey.everywhere {
-            Some(radiosity) => Way::Everywhere(radiosity),
+            Some(radiosity) => PlannedWay::Everywhere(radiosity),
             None if survey.brightest <= enough
                 && survey.sums_emitters
                 && survey.specular == 0
                 && scene.sky.is_none() =>
             {
-                Way::Smooth(Fineness { reflected: f64::INFINITY, ..first })
+                PlannedWay::Smooth(Fineness { reflected: f64::INFINITY, ..first })
             }
-            None => Way::Smooth(first),
+            None => PlannedWay::Smooth(first),
         };
         // ANCHOR_END: way
         let pieces = Pieces::of(room, first.patch, Goal::default().most_patches);
         let predicted = match &way {
-            Way::Everywhere(_) => Predicted::nothing(scene),
-            Way::Smooth(how) => Predicted::of(&survey, &pieces, how, tolerance),
+            PlannedWay::Everywhere(_) => Predicted::nothing(scene),
+            PlannedWay::Smooth(how) => Predicted::of(&survey, &pieces, how, tolerance),
         };
         let decisions = words::decisions(&survey, &pieces, &way, &predicted, tolerance);
         Plan { tolerance, survey, way, decisions, predicted }

@@ -1,6 +1,6 @@
 //! Doing what was planned.
 
-use super::{Plan, Way};
+use super::{Plan, PlannedWay};
 use crate::field::{Cannot, Everywhere, Smooth};
 use crate::room::Room;
 use crate::solution::{Goal, Solution, solve, solve_from};
@@ -30,8 +30,10 @@ impl Plan {
         let mut decisions = self.lines();
         let goal = Goal { tolerance: self.tolerance, ..*goal };
         let solution = match &self.way {
-            Way::Smooth(first) => solve_from(room, &Smooth, *first, &goal, work)?,
-            Way::Everywhere(radiosity) => {
+            PlannedWay::Smooth(first) => {
+                solve_from(room, &Smooth, *first, &goal, work)?
+            }
+            PlannedWay::Everywhere(radiosity) => {
                 let known = solve(room, &Everywhere(*radiosity), &goal, work)?;
                 if known.converged {
                     let said = "run: nothing to solve, and the certificate agrees";

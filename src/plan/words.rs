@@ -1,18 +1,18 @@
 //! What was decided, in sentences.
 
-use super::{Decision, Pieces, Predicted, Survey, Way};
+use super::{Decision, Pieces, PlannedWay, Predicted, Survey};
 use crate::solution::Goal;
 
 /// One decision for each thing that was looked at, in the order of the work.
 pub(super) fn decisions(
     survey: &Survey,
     pieces: &Pieces,
-    way: &Way,
+    way: &PlannedWay,
     predicted: &Predicted,
     tolerance: f64,
 ) -> Vec<Decision> {
     let mut said = vec![room(survey), way_through(survey)];
-    let Way::Smooth(how) = way else {
+    let PlannedWay::Smooth(how) = way else {
         said.push(everywhere(survey));
         said.extend(specular(survey));
         return said;

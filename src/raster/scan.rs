@@ -19,14 +19,14 @@ use std::ops::Range;
 /// products of coordinates stay below 2⁶² and fit an `i64`. At 128 pixels a side a step
 /// is 1e-7 pixel, at 16384 it is 1/65536.
 #[derive(Clone, Copy)]
-struct Grid {
+struct FixedGrid {
     bits: u32,
 }
 
-impl Grid {
-    fn new(width: u32, height: u32) -> Grid {
+impl FixedGrid {
+    fn new(width: u32, height: u32) -> FixedGrid {
         let pixels = width.max(height).next_power_of_two();
-        Grid { bits: 30 - pixels.trailing_zeros() }
+        FixedGrid { bits: 30 - pixels.trailing_zeros() }
     }
 
     /// One pixel, in steps.
@@ -42,7 +42,7 @@ impl Grid {
 
 /// A corner on the picture, in steps of the grid, `y` down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Corner {
+struct FixedCorner {
     x: i64,
     y: i64,
 }
@@ -50,7 +50,7 @@ struct Corner {
 /// Memory for the spans of one polygon.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Spans {
-    corners: Vec<Corner>,
+    corners: Vec<FixedCorner>,
     rows: Vec<(i64, i64)>,
 }
 
@@ -63,14 +63,14 @@ impl Spans {
         width: u32,
         height: u32,
     ) -> impl Iterator<Item = (usize, Range<usize>)> + use<'_> {
-        let grid = Grid::new(width, height);
+        let grid = FixedGrid::new(width, height);
         // Clipped corners may stray outside by rounding, hence the clamp; `+ 0.5` and
         // the cast round numbers that are not negative.
         let snap = |at: f64, size: u32| {
             let end = size as f64 * grid.one() as f64;
             (0.5 * at * end + 0.5).clamp(0.0, end) as i64
         };
-        let snap = |v: &DVec3| Corner {
+        let snap = |v: &DVec3| FixedCorner {
             x: snap(1.0 + v.x / v.z, width),
             y: snap(1.0 - v.y / v.z, height),
         };
@@ -98,7 +98,13 @@ impl Spans {
 // ANCHOR: follow
 /// Follows the edge from `a` down to `b` and widens the spans of `rows` (the first of
 /// which is row `low`) to the first pixel right of it.
-fn follow(grid: Grid, a: Corner, b: Corner, low: i64, rows: &mut [(i64, i64)]) {
+fn follow(
+    grid: FixedGrid,
+    a: FixedCorner,
+    b: FixedCorner,
+    low: i64,
+    rows: &mut [(i64, i64)],
+) {
     let (first, end) = (grid.row_from(a.y), grid.row_from(b.y));
     if first == end {
         return; // no row's centre lies between them

@@ -48,14 +48,14 @@ pub struct Sky {
     /// Columns: the right, the up and the back of whoever stands in the panorama and
     /// looks at its middle.
     world_from_sky: DMat3,
-    light: Light,
+    light: SkyLight,
 }
 
 /// A direction drawn at the horizon may be turned beneath it, by rounding.
 const HORIZON: f64 = -1e-12;
 
 #[derive(Clone, Debug, PartialEq)]
-enum Light {
+enum SkyLight {
     Uniform(Rgb),
     Overcast(Rgb),
     Cie(Arc<Cie>),
@@ -87,7 +87,7 @@ impl Sky {
     /// unit length.
     pub fn uniform(radiance: Rgb, up: DVec3) -> Sky {
         debug_assert!(radiance.min_element() >= 0.0, "negative radiance: {radiance}");
-        Sky { world_from_sky: world_from_sky(up), light: Light::Uniform(radiance) }
+        Sky { world_from_sky: world_from_sky(up), light: SkyLight::Uniform(radiance) }
     }
 
     /// The overcast sky of Moon & Spencer 1942, `L = Lz (1 + 2 sin e)/3` at elevation
@@ -95,12 +95,12 @@ impl Sky {
     /// `up` has unit length.
     pub fn overcast(zenith: Rgb, up: DVec3) -> Sky {
         debug_assert!(zenith.min_element() >= 0.0, "negative radiance: {zenith}");
-        Sky { world_from_sky: world_from_sky(up), light: Light::Overcast(zenith) }
+        Sky { world_from_sky: world_from_sky(up), light: SkyLight::Overcast(zenith) }
     }
 
     /// A general sky of the CIE: five `coefficients` (see [`cie_coefficients`]; the
     /// second is negative), the direction to the `sun`, radiance at the `zenith` in
-    /// W/(m² sr). Light scattered by the air only: the sun's disc is not in it. `sun`
+    /// W/(m² sr). SkyLight scattered by the air only: the sun's disc is not in it. `sun`
     /// and `up` have unit length, and the sun stands above the horizon.
     ///
     /// ```text
@@ -113,7 +113,7 @@ impl Sky {
         debug_assert!(zenith.min_element() >= 0.0, "negative radiance: {zenith}");
         let world_from_sky = world_from_sky(up);
         let sun = world_from_sky.transpose() * sun;
-        let light = Light::Cie(Arc::new(Cie::new(coefficients, sun, zenith)));
+        let light = SkyLight::Cie(Arc::new(Cie::new(coefficients, sun, zenith)));
         Sky { world_from_sky, light }
     }
 
@@ -123,7 +123,7 @@ impl Sky {
     /// With up at `+Y` its middle column looks along `−Z`; else all is turned the
     /// shortest way from `+Y` to `up`: with up at `+Z` the middle looks along `+Y`.
     pub fn panorama(panorama: Panorama, up: DVec3) -> Sky {
-        let light = Light::Panorama(Arc::new(panorama));
+        let light = SkyLight::Panorama(Arc::new(panorama));
         Sky { world_from_sky: world_from_sky(up), light }
     }
 
@@ -143,23 +143,23 @@ impl Sky {
     /// What it was made of.
     pub fn kind(&self) -> Kind<'_> {
         match &self.light {
-            Light::Uniform(radiance) => Kind::Uniform(*radiance),
-            Light::Overcast(zenith) => Kind::Overcast(*zenith),
-            Light::Cie(cie) => Kind::Cie {
+            SkyLight::Uniform(radiance) => Kind::Uniform(*radiance),
+            SkyLight::Overcast(zenith) => Kind::Overcast(*zenith),
+            SkyLight::Cie(cie) => Kind::Cie {
                 coefficients: cie.coefficients,
                 sun: self.world_from_sky * cie.sun,
                 zenith: cie.zenith,
             },
-            Light::Panorama(panorama) => Kind::Panorama(panorama),
+            SkyLight::Panorama(panorama) => Kind::Panorama(panorama),
         }
     }
 
     /// Does any light come from it?
     pub fn shines(&self) -> bool {
         match &self.light {
-            Light::Uniform(l) | Light::Overcast(l) => *l != Rgb::ZERO,
-            Light::Cie(cie) => cie.zenith != Rgb::ZERO,
-            Light::Panorama(panorama) => panorama.total() != Rgb::ZERO,
+            SkyLight::Uniform(l) | SkyLight::Overcast(l) => *l != Rgb::ZERO,
+            SkyLight::Cie(cie) => cie.zenith != Rgb::ZERO,
+            SkyLight::Panorama(panorama) => panorama.total() != Rgb::ZERO,
         }
     }
 
@@ -168,11 +168,11 @@ impl Sky {
     pub fn radiance(&self, direction: DVec3) -> Rgb {
         let d = self.sky_from_world(direction);
         match &self.light {
-            Light::Panorama(panorama) => panorama.radiance(d),
+            SkyLight::Panorama(panorama) => panorama.radiance(d),
             _ if d.y < HORIZON => Rgb::ZERO,
-            Light::Uniform(l) => *l,
-            Light::Overcast(zenith) => *zenith * ((1.0 + 2.0 * d.y) / 3.0),
-            Light::Cie(cie) => cie.radiance(d),
+            SkyLight::Uniform(l) => *l,
+            SkyLight::Overcast(zenith) => *zenith * ((1.0 + 2.0 * d.y) / 3.0),
+            SkyLight::Cie(cie) => cie.radiance(d),
         }
     }
 
@@ -187,16 +187,16 @@ impl Sky {
         let n = self.sky_from_world(normal);
         let (cos, sin) = (n.y, n.x.hypot(n.z));
         match &self.light {
-            Light::Uniform(l) => *l * (PI * (1.0 + cos) / 2.0),
+            SkyLight::Uniform(l) => *l * (PI * (1.0 + cos) / 2.0),
             // ANCHOR: overcast
-            Light::Overcast(zenith) => {
+            SkyLight::Overcast(zenith) => {
                 let behind = PI - sin.atan2(cos); // from the plane's back to the ground
                 let rising = 4.0 / 3.0 * (behind * cos + sin);
                 *zenith * ((PI * (1.0 + cos) / 2.0 + rising) / 3.0)
             }
             // ANCHOR_END: overcast
-            Light::Cie(cie) => cie.irradiance(n),
-            Light::Panorama(panorama) => panorama.irradiance(n),
+            SkyLight::Cie(cie) => cie.irradiance(n),
+            SkyLight::Panorama(panorama) => panorama.irradiance(n),
         }
     }
 
@@ -210,11 +210,11 @@ impl Sky {
             DVec3::new(cos * x, sin, cos * z)
         };
         let direction = match &self.light {
-            Light::Uniform(_) => around(u.x),
+            SkyLight::Uniform(_) => around(u.x),
             // ∫₀ˢ (1 + 2t) dt / 2 = (s + s²)/2 = u, solved for s.
-            Light::Overcast(_) => around(((1.0 + 8.0 * u.x).sqrt() - 1.0) / 2.0),
-            Light::Cie(cie) => cie.sample(u),
-            Light::Panorama(panorama) => panorama.sample(u),
+            SkyLight::Overcast(_) => around(((1.0 + 8.0 * u.x).sqrt() - 1.0) / 2.0),
+            SkyLight::Cie(cie) => cie.sample(u),
+            SkyLight::Panorama(panorama) => panorama.sample(u),
         };
         let direction = self.world_from_sky * direction;
         (direction, self.pdf(direction))
@@ -225,11 +225,11 @@ impl Sky {
     pub fn pdf(&self, direction: DVec3) -> f64 {
         let d = self.sky_from_world(direction);
         match &self.light {
-            Light::Panorama(panorama) => panorama.pdf(d),
+            SkyLight::Panorama(panorama) => panorama.pdf(d),
             _ if d.y < HORIZON => 0.0,
-            Light::Uniform(_) => 1.0 / TAU,
-            Light::Overcast(_) => (1.0 + 2.0 * d.y) / (2.0 * TAU),
-            Light::Cie(cie) => cie.pdf(d),
+            SkyLight::Uniform(_) => 1.0 / TAU,
+            SkyLight::Overcast(_) => (1.0 + 2.0 * d.y) / (2.0 * TAU),
+            SkyLight::Cie(cie) => cie.pdf(d),
         }
     }
 

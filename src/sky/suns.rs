@@ -4,7 +4,7 @@
 //! it by cells or by even rays misses it, or finds it and takes it for larger. So it is
 //! handed out apart.
 
-use super::{Light, Panorama, Sky};
+use super::{Panorama, Sky, SkyLight};
 use crate::geometry::Rgb;
 use glam::DVec3;
 use std::sync::Arc;
@@ -28,7 +28,7 @@ impl Sky {
     /// The texels that alone send more than `share` of all light, `most` at the most, and the
     /// sky without them. `None` when there is no such texel, as in all skies but panoramas.
     pub fn without_suns(&self, share: f64, most: usize) -> Option<(Vec<Sun>, Sky)> {
-        let Light::Panorama(panorama) = &self.light else { return None };
+        let SkyLight::Panorama(panorama) = &self.light else { return None };
         let width = panorama.width();
         let sends = |k: usize| {
             panorama.texels()[k].element_sum() * panorama.solid_angle(k / width)
@@ -67,7 +67,7 @@ impl Sky {
         });
         let suns = suns.collect();
         let rest = Panorama::new(width, rest).ok()?;
-        let light = Light::Panorama(Arc::new(rest));
+        let light = SkyLight::Panorama(Arc::new(rest));
         Some((suns, Sky { world_from_sky: self.world_from_sky, light }))
     }
 }

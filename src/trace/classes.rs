@@ -179,7 +179,7 @@ pub struct Table {
 
 /// A line of a [`Table`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
+pub struct ClassRow {
     /// Whose light.
     pub class: Class,
     /// Its mean over the picture.
@@ -190,10 +190,10 @@ pub struct Row {
 
 impl Table {
     /// The lines, one for each class.
-    pub fn rows(&self) -> impl Iterator<Item = Row> + '_ {
+    pub fn rows(&self) -> impl Iterator<Item = ClassRow> + '_ {
         let row = |class: Class| {
             let k = class.index();
-            Row { class, mean: self.mean[k], error: self.error[k] }
+            ClassRow { class, mean: self.mean[k], error: self.error[k] }
         };
         Class::all().map(row)
     }

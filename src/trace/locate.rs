@@ -8,12 +8,12 @@ use glam::{DVec2, DVec3, dvec2};
 /// The elements of each surface, in a grid of cells of its plane.
 #[derive(Clone, Debug)]
 pub(super) struct Locate {
-    grids: Vec<Grid>,
+    grids: Vec<SurfaceGrid>,
 }
 
 /// Cells of one surface, about as many as it has elements.
 #[derive(Clone, Debug)]
-struct Grid {
+struct SurfaceGrid {
     frame: Frame,
     low: DVec2,
     /// Cells for each scene unit.
@@ -32,7 +32,7 @@ impl Locate {
         }
         let surfaces = scene.surfaces.iter().zip(&of_surface);
         let grid = |(surface, elements): (&crate::scene::Surface, &Vec<u32>)| {
-            Grid::of(Frame::about(surface.polygon.normal()), mesh, elements)
+            SurfaceGrid::of(Frame::about(surface.polygon.normal()), mesh, elements)
         };
         Locate { grids: surfaces.map(grid).collect() }
     }
@@ -66,8 +66,8 @@ impl Locate {
     }
 }
 
-impl Grid {
-    fn of(frame: Frame, mesh: &Mesh, ids: &[u32]) -> Grid {
+impl SurfaceGrid {
+    fn of(frame: Frame, mesh: &Mesh, ids: &[u32]) -> SurfaceGrid {
         let plane = |v: &DVec3| dvec2(frame.x.dot(*v), frame.y.dot(*v));
         let bounds = |id: &u32| {
             let corners = mesh.elements[*id as usize].polygon.vertices();
@@ -83,7 +83,7 @@ impl Grid {
         let cells = [count(0), count(1)];
         let scale = dvec2(cells[0] as f64, cells[1] as f64) / size;
         let mut grid =
-            Grid { frame, low, scale, cells, starts: vec![], elements: vec![] };
+            SurfaceGrid { frame, low, scale, cells, starts: vec![], elements: vec![] };
         let mut lists = vec![Vec::new(); cells[0] * cells[1]];
         for (&id, &(low, high)) in ids.iter().zip(&boxes) {
             let ([i0, j0], [i1, j1]) = (grid.cell(low), grid.cell(high));

@@ -34,7 +34,7 @@ mod two_pass;
 mod whitted;
 
 pub use class_table::{ByClass, classes_of_two_passes};
-pub use classes::{CLASSES, Class, Letter, Light, Owner, Row, Table, Word};
+pub use classes::{CLASSES, Class, ClassRow, Letter, Light, Owner, Table, Word};
 pub use cone::Cone;
 pub use expose::{Along, Shown};
 pub use gloss::{Gloss, LobeAs};

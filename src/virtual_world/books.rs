@@ -19,7 +19,7 @@ pub(super) struct Books<'a> {
 
 /// Something met.
 #[derive(Clone, Copy)]
-pub(super) struct Met {
+pub(super) struct RowMet {
     pub(super) element: u32,
     pub(super) front: bool,
     /// Between the light and the normal, either side: in `[0, 1]`.
@@ -31,7 +31,7 @@ impl Books<'_> {
     ///
     /// Mirrors are elements, too: all that arrives counts as their irradiance, and what they
     /// send on is taken off what is absorbed.
-    pub(super) fn arrives(&mut self, share: f64, met: Met, left: u32) -> [f64; 2] {
+    pub(super) fn arrives(&mut self, share: f64, met: RowMet, left: u32) -> [f64; 2] {
         let surface = self.mesh.surface_of(&self.mesh.elements[met.element as usize]);
         let divided = self.world.divided(surface, met.front, met.cosine);
         // ANCHOR: arrives

@@ -1,7 +1,7 @@
 //! Extended form factors by rays that go on where they meet a mirror or a pane.
 
 use super::VirtualWorld;
-use super::books::{Books, Met};
+use super::books::{Books, RowMet};
 use crate::form_factor::{FormFactors, Lost, ray_from};
 use crate::geometry::{Frame, Plane, Polygon, Ray};
 use crate::mesh::{ElementId, Mesh};
@@ -24,7 +24,7 @@ pub struct ExtendedCast<'a> {
 }
 
 /// A ray on its way.
-struct Leg {
+struct MirroredLeg {
     ray: Ray,
     leaving: u32,
     share: f64,
@@ -47,27 +47,31 @@ impl<'a> ExtendedCast<'a> {
 
     /// Follows what leaves `element` along `ray` until nothing is left of it.
     fn follow(&self, ray: Ray, element: u32, share: f64, books: &mut Books) {
-        let mut legs =
-            vec![Leg { ray, leaving: element, share, left: self.world.levels() }];
-        while let Some(Leg { ray, leaving, share, left }) = legs.pop() {
+        let mut legs = vec![MirroredLeg {
+            ray,
+            leaving: element,
+            share,
+            left: self.world.levels(),
+        }];
+        while let Some(MirroredLeg { ray, leaving, share, left }) = legs.pop() {
             let Some(hit) = self.visibility.closest(&ray, Some(leaving)) else {
                 books.lost.escaped += share;
                 continue;
             };
             let polygon: &Polygon = &self.mesh.elements[hit.item as usize].polygon;
             let cosine = polygon.normal().dot(ray.direction).abs();
-            let met = Met { element: hit.item, front: hit.front, cosine };
+            let met = RowMet { element: hit.item, front: hit.front, cosine };
             let [mirrored, passed] = books.arrives(share, met, left);
             let origin = ray.origin + hit.distance * ray.direction;
             if passed > 0.0 {
                 let ray = Ray { origin, direction: ray.direction };
-                legs.push(Leg { ray, leaving: hit.item, share: passed, left });
+                legs.push(MirroredLeg { ray, leaving: hit.item, share: passed, left });
             }
             if mirrored > 0.0 {
                 let mirror = Plane::through(origin, polygon.normal()).mirror();
                 let direction = mirror.transform_vector3(ray.direction);
                 let ray = Ray { origin, direction };
-                legs.push(Leg {
+                legs.push(MirroredLeg {
                     ray,
                     leaving: hit.item,
                     share: mirrored,

@@ -27,7 +27,7 @@ pub struct ExtendedAnalytic<'a> {
 const LOST_RAYS: usize = 2048;
 
 /// A factor, in scene units squared: by all images, and by those of the last level.
-type Pair = (u32, f64, f64);
+type ExactPair = (u32, f64, f64);
 
 impl<'a> ExtendedAnalytic<'a> {
     /// Factors of this `channel` (0, 1 or 2), each with an absolute error near `tolerance`.
@@ -52,7 +52,7 @@ impl<'a> ExtendedAnalytic<'a> {
     }
 
     /// What element `i` exchanges with the elements of `range`.
-    fn exchanges(&self, i: ElementId, range: std::ops::Range<usize>) -> Vec<Pair> {
+    fn exchanges(&self, i: ElementId, range: std::ops::Range<usize>) -> Vec<ExactPair> {
         let mut direct = vec![0.0; range.len()];
         // Panes weaken the direct light, too; else it is done faster.
         let first = u32::from(self.world.panes.is_empty());
@@ -77,7 +77,7 @@ impl<'a> ExtendedAnalytic<'a> {
     }
 
     /// A row, and what it loses, from what element `i` exchanges with all others.
-    fn finished(&self, i: ElementId, mut pairs: Vec<Pair>) -> Row {
+    fn finished(&self, i: ElementId, mut pairs: Vec<ExactPair>) -> Row {
         pairs.sort_unstable_by_key(|p| p.0);
         let area = self.mesh.element(i).polygon.area();
         let mut counted = vec![0.0; self.mesh.elements.len()];
@@ -121,7 +121,7 @@ impl FormFactors for ExtendedAnalytic<'_> {
             done();
             found
         };
-        let upper: Vec<Vec<Pair>> = (0..n).into_par_iter().map(upper).collect();
+        let upper: Vec<Vec<ExactPair>> = (0..n).into_par_iter().map(upper).collect();
         let mut rows = upper.clone();
         for (i, pairs) in (0u32..).zip(&upper) {
             for &(j, all, last) in pairs.iter().filter(|p| p.0 != i) {

@@ -10,8 +10,8 @@
 //! is drawn once more, beyond the pane.
 
 use super::VirtualWorld;
-use super::books::{Books, Met};
-use crate::form_factor::hemicube::{Face, Weights};
+use super::books::{Books, RowMet};
+use crate::form_factor::hemicube::{CubeFace, Weights};
 use crate::form_factor::{FormFactors, Lost};
 use crate::geometry::{Frame, Plane};
 use crate::mesh::{ElementId, Mesh};
@@ -30,7 +30,7 @@ pub struct ExtendedHemicube<'a> {
 }
 
 /// A picture to be drawn: from where, beyond which plane, and what each cell counts.
-struct Look<'w> {
+struct CubeLook<'w> {
     view: View,
     beyond: Option<Plane>,
     weights: std::borrow::Cow<'w, [f64]>,
@@ -57,10 +57,10 @@ impl<'a> ExtendedHemicube<'a> {
     /// Books what a picture shows, and returns what is to be looked at next.
     fn read(
         &self,
-        look: &Look,
+        look: &CubeLook,
         buffer: &ItemBuffer,
         books: &mut Books,
-    ) -> Vec<Look<'static>> {
+    ) -> Vec<CubeLook<'static>> {
         let size = (buffer.width(), buffer.height());
         // By mirror and side: what each cell counts in the next picture.
         let mut mirrored: BTreeMap<(u32, bool), Vec<f64>> = BTreeMap::new();
@@ -84,7 +84,8 @@ impl<'a> ExtendedHemicube<'a> {
                 Some(_) => self.cosine(&look.view, size, cell, element),
                 None => 1.0,
             };
-            let next = books.arrives(share, Met { element, front, cosine }, look.left);
+            let next =
+                books.arrives(share, RowMet { element, front, cosine }, look.left);
             let Some(id) = mirror else { continue };
             for (share, map) in next.into_iter().zip([&mut mirrored, &mut passed]) {
                 if share > 0.0 {
@@ -98,16 +99,16 @@ impl<'a> ExtendedHemicube<'a> {
 
     fn next(
         &self,
-        look: &Look,
+        look: &CubeLook,
         mirrored: BTreeMap<(u32, bool), Vec<f64>>,
         passed: BTreeMap<(u32, bool), Vec<f64>>,
-    ) -> Vec<Look<'static>> {
+    ) -> Vec<CubeLook<'static>> {
         let plane = |(id, front): (u32, bool)| {
             let plane = self.world.mirrors[id as usize].outline.plane();
             if front { plane } else { plane.flipped() }
         };
         // ANCHOR: reflected
-        let reflected = mirrored.into_iter().map(|(id, weights)| Look {
+        let reflected = mirrored.into_iter().map(|(id, weights)| CubeLook {
             view: look.view.moved(&plane(id).mirror()),
             beyond: Some(plane(id)),
             weights: weights.into(),
@@ -115,7 +116,7 @@ impl<'a> ExtendedHemicube<'a> {
             own: None,
         });
         // ANCHOR_END: reflected
-        let through = passed.into_iter().map(|(id, weights)| Look {
+        let through = passed.into_iter().map(|(id, weights)| CubeLook {
             view: look.view,
             beyond: Some(plane(id).flipped()),
             weights: weights.into(),
@@ -125,7 +126,7 @@ impl<'a> ExtendedHemicube<'a> {
         reflected.chain(through).collect()
     }
 
-    fn draw(&self, look: &Look, buffer: &mut ItemBuffer) {
+    fn draw(&self, look: &CubeLook, buffer: &mut ItemBuffer) {
         for (id, element) in (0u32..).zip(&self.mesh.elements) {
             if Some(self.mesh.surface_of(element)) == look.own {
                 continue;
@@ -163,7 +164,7 @@ impl ExtendedHemicube<'_> {
     pub fn pictures(
         &self,
         from: ElementId,
-        mut show: impl FnMut(Face, &ItemBuffer, &[f64]),
+        mut show: impl FnMut(CubeFace, &ItemBuffer, &[f64]),
     ) {
         self.draw_all(from, &mut vec![0.0; self.len()], &mut show);
     }
@@ -172,17 +173,17 @@ impl ExtendedHemicube<'_> {
         &self,
         from: ElementId,
         row: &mut [f64],
-        show: &mut dyn FnMut(Face, &ItemBuffer, &[f64]),
+        show: &mut dyn FnMut(CubeFace, &ItemBuffer, &[f64]),
     ) -> Lost {
         let element = self.mesh.element(from);
         let (eye, normal) = (element.polygon.centroid(), element.polygon.normal());
         let own = Some(self.mesh.surface_of(element));
         let (world, mesh, channel) = (self.world, self.mesh, self.channel);
         let mut books = Books { world, mesh, channel, row, lost: Lost::default() };
-        for face in Face::ALL {
+        for face in CubeFace::ALL {
             let (width, height) = face.size(self.resolution);
             let mut buffer = ItemBuffer::new(width, height);
-            let mut looks = vec![Look {
+            let mut looks = vec![CubeLook {
                 view: face.view(eye, &Frame::about(normal)),
                 beyond: None,
                 weights: self.weights.of(face).into(),

@@ -2,8 +2,8 @@
 
 use radiosity::chart::race::{Finish, contestants};
 use radiosity::chart::{
-    Bench, Chart, Column, Contest, Line, Mark, Method, Race, Trial, Verdict, View,
-    Work, csv, exponent, read,
+    Bench, Chart, ChartView, Column, Contest, Line, Mark, Method, Race, Trial, Verdict,
+    WorkDone, csv, exponent, read,
 };
 
 /// All come in, each as many times as its theory says: Jacobi needs the bounces until
@@ -33,7 +33,7 @@ fn all_solvers_come_in() {
 /// mean square over its seeds; that of others is their one error.
 #[test]
 fn a_contest_tells_errors_and_work() {
-    let work = |n: f64| Work { rays: n as u64, ..Work::default() };
+    let work = |n: f64| WorkDone { rays: n as u64, ..WorkDone::default() };
     let contest =
         Contest::new("a number", 1e-3, |x: &f64| Verdict::of((x - 1.0).abs()))
             .with(Method::new("series", &[1.0, 2.0, 3.0], |n, seed| {
@@ -58,7 +58,8 @@ fn a_contest_tells_errors_and_work() {
 
 fn trial(method: &str, seconds: f64, error: f64) -> Trial {
     let [suite, scene] = ["suite", "scene"].map(String::from);
-    let (work, method) = (Work { factors: 7, ..Work::default() }, method.into());
+    let (work, method) =
+        (WorkDone { factors: 7, ..WorkDone::default() }, method.into());
     let (uncertainty, energy) = (1e-6, Some(0.25));
     let (setting, runs, memory) = (2.0, 3, 1 << 40);
     Trial {
@@ -100,7 +101,7 @@ fn the_frontier_is_what_nothing_beats() {
         trial("b", 2.0, 0.2), // beaten by the first
         trial("b", 5.0, 0.05),
     ];
-    let view = View {
+    let view = ChartView {
         file: "test",
         title: "Test",
         across: (Column::Seconds, "s"),
@@ -113,7 +114,7 @@ fn the_frontier_is_what_nothing_beats() {
     assert_eq!(svg.matches("class=\"frontier\"").count(), 1);
     assert!(svg.contains("the truth is known to here"));
     let over_setting =
-        View { across: (Column::Setting, "n"), ..view }.chart(&trials).svg();
+        ChartView { across: (Column::Setting, "n"), ..view }.chart(&trials).svg();
     assert!(!over_setting.contains("frontier"), "a setting is no effort");
 }
 

@@ -2,7 +2,7 @@
 //! infinite variance at a shared edge: `tests/stability/pairs.rs`.)
 
 use glam::dvec3;
-use radiosity::form_factor::area::{Estimate, controlled, sampled};
+use radiosity::form_factor::area::{AreaEstimate, controlled, sampled};
 use radiosity::geometry::Polygon;
 use radiosity::visibility::Visibility;
 
@@ -31,7 +31,7 @@ fn quarter() -> Polygon {
 const SEEDS: u64 = 40;
 
 /// The root mean square of the error over seeds, relative.
-fn rms(exact: f64, estimate: impl Fn(u64) -> Estimate) -> f64 {
+fn rms(exact: f64, estimate: impl Fn(u64) -> AreaEstimate) -> f64 {
     let square = |seed| (estimate(seed).exchange / exact - 1.0).powi(2);
     ((0..SEEDS).map(square).sum::<f64>() / SEEDS as f64).sqrt()
 }

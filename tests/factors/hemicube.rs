@@ -1,7 +1,7 @@
 //! The hemicube: weights, closure, books. (Its failures: `tests/stability/hemicube.rs`.)
 
 use glam::{DVec3, dvec3};
-use radiosity::form_factor::hemicube::{Face, Hemicube, Weights};
+use radiosity::form_factor::hemicube::{CubeFace, Hemicube, Weights};
 use radiosity::form_factor::{FormFactors, Lost};
 use radiosity::geometry::Polygon;
 use radiosity::material::{Coefficients, Material};
@@ -65,11 +65,11 @@ fn classic_weights_meet_the_table() {
             (Weights::at_centres(resolution), Weights::exact(resolution));
         let sum = |weights: &Weights, face| weights.of(face).iter().sum::<f64>();
         for (got, key) in [
-            (sum(&classic, Face::Top), "sum_top"),
-            (4.0 * sum(&classic, Face::West), "sum_four_sides"),
+            (sum(&classic, CubeFace::Top), "sum_top"),
+            (4.0 * sum(&classic, CubeFace::West), "sum_four_sides"),
             (classic.sum(), "sum_total"),
-            (sum(&exact, Face::Top), "exact_top"),
-            (4.0 * sum(&exact, Face::East), "exact_sides"),
+            (sum(&exact, CubeFace::Top), "exact_top"),
+            (4.0 * sum(&exact, CubeFace::East), "exact_sides"),
             (exact.sum() + 1.0, "two"),
         ] {
             let expected = if key == "two" { 2.0 } else { expected(key) };
@@ -85,7 +85,7 @@ fn classic_weights_meet_the_table() {
 fn every_cell_weighs_something() {
     for resolution in [2, 16, 1024] {
         let weights = Weights::exact(resolution);
-        for face in Face::ALL {
+        for face in CubeFace::ALL {
             assert!(weights.of(face).iter().all(|&w| w > 0.0), "{resolution} {face:?}");
         }
     }

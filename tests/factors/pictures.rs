@@ -4,7 +4,7 @@ use crate::common::rooms::rectangle;
 use crate::common::shapes::{cube, mesh_of};
 use glam::{DVec3, dvec2, dvec3};
 use radiosity::form_factor::hemicube::{
-    Face, Hemicube, Weights, aliasing_error, resolution_for, smallest_apparent_size,
+    CubeFace, Hemicube, Weights, aliasing_error, resolution_for, smallest_apparent_size,
 };
 use radiosity::form_factor::pictures::{Pictures, unseen_by_plane};
 use radiosity::form_factor::{FormFactors, Lost};
@@ -21,7 +21,7 @@ fn weights_are_form_factors_of_cells() {
     let n = 16;
     let weights = Weights::exact(n);
     let frame = Frame { x: DVec3::X, y: DVec3::Y, z: DVec3::Z };
-    for face in Face::ALL {
+    for face in CubeFace::ALL {
         let (view, (_, rows)) = (face.view(DVec3::ZERO, &frame), face.size(n));
         let step = (2.0 / f64::from(n), 2.0 / f64::from(rows));
         for (k, weight) in weights.of(face).iter().enumerate() {
@@ -134,7 +134,7 @@ fn aliasing(resolution: u32, side: f64, places: u64) -> f64 {
         let exact =
             projected_solid_angle(DVec3::ZERO, DVec3::Z, polygon.vertices()) / PI;
         let mut got = 0.0;
-        for face in Face::ALL {
+        for face in CubeFace::ALL {
             let (width, height) = face.size(resolution);
             cells.reset(width, height);
             cells.draw(&face.view(DVec3::ZERO, &frame), &polygon, 0);
@@ -195,7 +195,7 @@ fn the_family_agrees() {
 /// A hemicube's top is a plane of half-width 1: four corner rectangles, one away.
 #[test]
 fn a_plane_is_the_top_made_wider() {
-    let top: f64 = Weights::exact(64).of(Face::Top).iter().sum();
+    let top: f64 = Weights::exact(64).of(CubeFace::Top).iter().sum();
     assert!((unseen_by_plane(1.0) - (1.0 - top)).abs() < 1e-13);
     // The solid angle it misses is less: light near the horizon weighs little.
     let share = 1.0 - 4.0 * solid_angle_of_corner(1.0, 1.0, 1.0) / TAU;

@@ -6,7 +6,7 @@ use super::{Found, Row, Shown, Sweep, curve};
 use glam::{DVec2, DVec3, dvec3};
 use radiosity::form_factor::FormFactors;
 use radiosity::form_factor::analytic::{Analytic, lambert_polygon};
-use radiosity::form_factor::hemicube::{Face, Hemicube, Weights};
+use radiosity::form_factor::hemicube::{CubeFace, Hemicube, Weights};
 use radiosity::geometry::{Frame, Polygon};
 use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
@@ -77,14 +77,14 @@ pub const ROWS: &[Row] = &[
 pub fn by_cells(weights: &Weights, resolution: u32, polygon: &Polygon) -> f64 {
     let frame = Frame::about(DVec3::Z);
     let mut cells = ItemBuffer::new(1, 1);
-    let of_face = |face: Face| {
+    let of_face = |face: CubeFace| {
         let (width, height) = face.size(resolution);
         cells.reset(width, height);
         cells.draw(&face.view(DVec3::ZERO, &frame), polygon, 0);
         let seen = cells.pixels().zip(weights.of(face));
         seen.filter(|s| s.0 == Seen::Front(0)).map(|s| s.1).sum::<f64>()
     };
-    Face::ALL.into_iter().map(of_face).sum()
+    CubeFace::ALL.into_iter().map(of_face).sum()
 }
 
 /// A square of this side that faces the origin, one away, in a random direction above the

@@ -6,7 +6,7 @@ use super::shapes::squares_with_screen;
 use super::{Found, Row, Shown, Sweep, curve};
 use glam::{DQuat, DVec2, DVec3, dvec3};
 use radiosity::form_factor::analytic::Analytic;
-use radiosity::form_factor::hemicube::{Face, Hemicube, Weights};
+use radiosity::form_factor::hemicube::{CubeFace, Hemicube, Weights};
 use radiosity::form_factor::hybrid::Hybrid;
 use radiosity::form_factor::pictures::Pictures;
 use radiosity::geometry::{Frame, Plane, Polygon};
@@ -151,10 +151,10 @@ const WALL: f64 = 5.0;
 pub fn cut_near(near: f64, polygon: &Polygon) -> f64 {
     let (weights, frame) = (Weights::exact(64), Frame::about(DVec3::Z));
     let mut cells = ItemBuffer::new(1, 1);
-    let of_face = |face: Face| {
+    let of_face = |face: CubeFace| {
         let view = face.view(DVec3::ZERO, &frame);
         let forward = view.direction(match face {
-            Face::Top => DVec2::ZERO,
+            CubeFace::Top => DVec2::ZERO,
             _ => DVec2::NEG_Y, // the sides' pictures end at the horizon
         });
         let forward = forward.normalize();
@@ -167,7 +167,7 @@ pub fn cut_near(near: f64, polygon: &Polygon) -> f64 {
         let seen = cells.pixels().zip(weights.of(face));
         seen.filter(|s| s.0 == Seen::Front(0)).map(|s| s.1).sum::<f64>()
     };
-    Face::ALL.into_iter().map(of_face).sum::<f64>().abs() // no −0
+    CubeFace::ALL.into_iter().map(of_face).sum::<f64>().abs() // no −0
 }
 
 /// A wall beside the origin, this far away.
@@ -227,8 +227,8 @@ pub fn flips(shift: f64, settled: bool) -> f64 {
             buffer.pixels().collect::<Vec<_>>()
         };
         let eyes = [DVec3::ZERO, shift * dvec3(0.8, 0.5, 0.3)];
-        let [before, after] = eyes.map(|eye| shown(&Face::Top.view(eye, &frame)));
-        let view = Face::Top.view(DVec3::ZERO, &frame);
+        let [before, after] = eyes.map(|eye| shown(&CubeFace::Top.view(eye, &frame)));
+        let view = CubeFace::Top.view(DVec3::ZERO, &frame);
         let poster = &pair[1];
         for (k, (a, b)) in (0..).zip(before.into_iter().zip(after)) {
             let at = View::pixel_centre(k % SIDE, k / SIDE, SIDE, SIDE);
@@ -271,7 +271,7 @@ pub fn drawn(id: u32) -> u32 {
     let frame = Frame::about(DVec3::Z);
     let mut pixel = ItemBuffer::new(1, 1);
     let square = moved(&unit_square(1.0, false), |p| p - dvec3(0.5, 0.5, 0.0));
-    pixel.draw(&Face::Top.view(DVec3::ZERO, &frame), &square, id);
+    pixel.draw(&CubeFace::Top.view(DVec3::ZERO, &frame), &square, id);
     match pixel.seen(0, 0) {
         Seen::Front(id) => id,
         other => panic!("the square faces the eye, and shows {other:?}"),

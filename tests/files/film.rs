@@ -6,7 +6,7 @@ use radiosity::film::{
     FalseColour, Format, Picture, RgbImage, Shot, byte, colour_of_id, compare,
     hemicube_cross, linear_from_srgb, side_by_side, srgb_from_linear, write_atomically,
 };
-use radiosity::form_factor::hemicube::{Face, Hemicube};
+use radiosity::form_factor::hemicube::{CubeFace, Hemicube};
 use radiosity::geometry::{Frame, Polygon, Rgb};
 use radiosity::mesh::{Mesh, wachspress};
 use radiosity::raster::{Seen, View};
@@ -323,9 +323,10 @@ fn pictures_of_an_unfolded_hemicube() {
     });
     assert_picture(PICTURES, "hemicube-ids", &of_ids);
     let scale = FalseColour { low: 1e-5, high: 5e-3 };
-    let of_weights = hemicube_cross(&cube, eye, DVec3::Y, 4, |face: Face, cell, _| {
-        scale.colour(cube.weights().of(face)[cell])
-    });
+    let of_weights =
+        hemicube_cross(&cube, eye, DVec3::Y, 4, |face: CubeFace, cell, _| {
+            scale.colour(cube.weights().of(face)[cell])
+        });
     assert_picture(PICTURES, "hemicube-weights", &of_weights);
 }
 

@@ -5,7 +5,7 @@ use radiosity::work::Work;
 
 use radiosity::geometry::Rgb;
 use radiosity::material::{Coefficients, Material, Shine};
-use radiosity::plan::{Plan, Planned, Way};
+use radiosity::plan::{Plan, Planned, PlannedWay};
 use radiosity::scene::{Scene, built_in, builtins};
 use radiosity::solution::Goal;
 
@@ -70,7 +70,7 @@ fn a_furnace_needs_no_solution() {
         let furnace = scene(&format!("furnace:{rho}"));
         let plan = Plan::of(&Room::of(&furnace), 0.001);
         let expected = 1.0 / (1.0 - rho.parse::<f64>().unwrap());
-        let Way::Everywhere(b) = plan.way else { panic!("{:?}", plan.lines()) };
+        let PlannedWay::Everywhere(b) = plan.way else { panic!("{:?}", plan.lines()) };
         assert!((b - Rgb::splat(expected)).length() < 1e-9 * expected);
         let done = run(&plan, &furnace);
         assert!(done.solution.attempts[0].rows == 0 && done.solution.converged);
@@ -88,10 +88,10 @@ fn what_is_nearly_a_furnace_is_solved() {
     let coefficients = Coefficients { emission, diffuse, ..Default::default() };
     darker.materials.push(Material::new("darker", coefficients).unwrap());
     darker.surfaces[0].material.0 = darker.materials.len() as u32 - 1;
-    assert!(matches!(Plan::of(&Room::of(&darker), 0.01).way, Way::Smooth(_)));
+    assert!(matches!(Plan::of(&Room::of(&darker), 0.01).way, PlannedWay::Smooth(_)));
     let mut open = scene("furnace");
     open.surfaces.pop();
-    assert!(matches!(Plan::of(&Room::of(&open), 0.01).way, Way::Smooth(_)));
+    assert!(matches!(Plan::of(&Room::of(&open), 0.01).way, PlannedWay::Smooth(_)));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::failures::shapes::{cube, mesh_of, squares_with_screen};
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::analytic::Analytic;
 use radiosity::form_factor::cast::Cast;
-use radiosity::form_factor::hemicube::{Face, Hemicube, Weights};
+use radiosity::form_factor::hemicube::{CubeFace, Hemicube, Weights};
 use radiosity::form_factor::pictures::{Pictures, unseen_by_plane};
 use radiosity::form_factor::{FormFactors, Lost};
 use radiosity::geometry::Frame;
@@ -86,7 +86,7 @@ fn row_20_a_speck_gets_more_than_there_is() {
 fn row_20_one_cell_limits_the_ratio_of_areas() {
     for (resolution, ratio) in [(32, 804.0), (64, 3217.0), (256, 51_472.0)] {
         let weights = Weights::exact(resolution);
-        let heaviest = weights.of(Face::Top).iter().copied().fold(0.0, f64::max);
+        let heaviest = weights.of(CubeFace::Top).iter().copied().fold(0.0, f64::max);
         // over a cell of width h at the zenith, 1/(x² + y² + 1)² falls by 4h²/3 in the
         // mean
         let tolerance = 6.0 / f64::from(resolution).powi(2) + 3e-4;
@@ -204,7 +204,7 @@ fn row_26_ids_neither_overflow_nor_blend() {
         assert_eq!(sweep.by(1, patches), 0.0, "{patches}");
     }
     let frame = Frame::about(DVec3::Z);
-    let view = Face::Top.view(DVec3::ZERO, &frame);
+    let view = CubeFace::Top.view(DVec3::ZERO, &frame);
     let mut buffer = ItemBuffer::new(64, 64);
     let ids = [(1 << 24) - 1, 1 << 24, (1 << 24) + 1, 1 << 25, MAX_ID];
     for (k, &id) in ids.iter().enumerate() {

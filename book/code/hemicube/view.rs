@@ -3,7 +3,7 @@
 use glam::{DVec3, dvec3};
 use radiosity::film::{RgbImage, byte, hemicube_cross};
 use radiosity::form_factor::Lost;
-use radiosity::form_factor::hemicube::{Face, Hemicube};
+use radiosity::form_factor::hemicube::{CubeFace, Hemicube};
 use radiosity::mesh::Mesh;
 use radiosity::radiometry::projected_solid_angle;
 use radiosity::raster::Seen;
@@ -48,7 +48,7 @@ pub fn weights(resolution: u32) -> RgbImage {
     let mesh = Mesh::whole(&scene());
     let cube = Hemicube::new(&mesh, resolution);
     let weights = cube.weights();
-    let heaviest = weights.of(Face::Top).iter().copied().fold(0.0, f64::max);
+    let heaviest = weights.of(CubeFace::Top).iter().copied().fold(0.0, f64::max);
     hemicube_cross(&cube, EYE, DVec3::Y, 1, |face, cell, _| {
         [byte(weights.of(face)[cell] / heaviest); 3]
     })

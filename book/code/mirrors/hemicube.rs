@@ -6,7 +6,7 @@ use radiosity::field::Classical;
 use radiosity::field::Factors;
 use radiosity::field::MatrixSolver;
 use radiosity::film::{Picture, RgbImage};
-use radiosity::form_factor::hemicube::{Face, Weights};
+use radiosity::form_factor::hemicube::{CubeFace, Weights};
 use radiosity::mesh::{ElementId, Mesh};
 use radiosity::raster::Seen;
 use radiosity::room::Room;
@@ -67,12 +67,12 @@ fn panel(levels: u32) -> (RgbImage, usize) {
     let world = VirtualWorld::of(scene, levels);
     let cube = ExtendedHemicube::new(&solution.field.mesh, &world, 0, RESOLUTION);
     let weights = Weights::exact(RESOLUTION);
-    let whole = weights.of(Face::Top);
+    let whole = weights.of(CubeFace::Top);
     let mut picture = Picture::new(RESOLUTION, RESOLUTION);
     let mut drawn = 0;
     cube.pictures(looking(), |face, cells, counts| {
         drawn += 1;
-        if face != Face::Top {
+        if face != CubeFace::Top {
             return;
         }
         for (cell, seen) in cells.pixels().enumerate() {

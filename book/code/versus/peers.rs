@@ -1,7 +1,7 @@
 //! Other programs on the same polygons, from the record that `tests/peers/run.py` made.
 
 use crate::chart::trials;
-use radiosity::chart::{Column, Trial, View};
+use radiosity::chart::{ChartView, Column, Trial};
 use std::fs;
 use std::path::PathBuf;
 
@@ -37,7 +37,7 @@ const SHOWN: [&str; 6] = [
 
 /// Irradiance of the elements of the Cornell box: error over time.
 pub fn svg() -> String {
-    let view = View {
+    let view = ChartView {
         file: "",
         title: "Error of the irradiance of 226 elements against the time to find it",
         across: (Column::Seconds, "CPU seconds"),

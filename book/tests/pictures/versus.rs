@@ -2,7 +2,7 @@
 
 use crate::picture::assert_picture;
 use book::versus::{itself, rule, views};
-use radiosity::chart::{Trial, Work};
+use radiosity::chart::{Trial, WorkDone};
 
 #[test]
 fn what_the_same_time_buys() {
@@ -32,7 +32,7 @@ fn the_winner_is_good_enough_and_quickest() {
         setting: 1.0,
         seconds,
         runs: 1,
-        work: Work::default(),
+        work: WorkDone::default(),
         memory: 0,
         error,
         uncertainty: 0.0,

@@ -6,7 +6,7 @@ use super::Work;
 use super::given::Pair;
 use cpu_time::ThreadTime;
 use radiosity::chart::suites::form_factors::{self, FAR, HIDDEN, NEAR, TOUCHING};
-use radiosity::chart::{Bench, Meter, Method, Trial, Work as Done};
+use radiosity::chart::{Bench, Meter, Method, Trial, WorkDone as Done};
 
 /// What your line is called.
 pub const YOURS: &str = "yours";

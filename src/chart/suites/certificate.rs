@@ -1,7 +1,9 @@
 //! The certificate: how sharply it tells an error, and how far it is off itself.
 
 use crate::certificate::{Certificate, Judged, Sampling, certify};
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
+use crate::chart::{
+    Bench, ChartView, Column, Contest, Method, Suite, Trial, Verdict, WorkDone,
+};
 use crate::field::{Classical, Factors};
 use crate::mesh::{ElementId, Mesh};
 use crate::room::Room;
@@ -14,7 +16,7 @@ pub const SUITE: Suite = Suite {
     name: "certificate",
     about: "the error of a solution of the Cornell box, asked of points and rays",
     measure,
-    views: &[View {
+    views: &[ChartView {
         file: "certificate",
         title: "Half the width of the certificate's interval against time",
         across: (Column::Seconds, "CPU seconds, one thread"),
@@ -59,7 +61,7 @@ pub fn audit(edge: f64, points: &[f64], fine: u64, bench: &Bench) -> Vec<Trial> 
         };
         // Two gathers at each point, for two independent residuals.
         let rays = 2 * (points * rays) as u64;
-        (found, Work { rays, ..Work::default() })
+        (found, WorkDone { rays, ..WorkDone::default() })
     };
     let method = |rays: usize| {
         let name = format!("{rays} rays");

@@ -2,8 +2,10 @@
 //! a cube with a glossy floor; beside it two passes and paths for one view of it.
 
 use super::look::solved;
-use super::truth::Truth;
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
+use super::truth::PictureTruth;
+use crate::chart::{
+    Bench, ChartView, Column, Contest, Method, Suite, Trial, Verdict, WorkDone,
+};
 use crate::directional::{Bins, Directional, Transport};
 use crate::film::{Picture, Shot};
 use crate::geometry::Rgb;
@@ -22,7 +24,7 @@ pub const SUITE: Suite = Suite {
     about: "radiosity with directions, two passes and paths, over a glossy floor",
     measure,
     views: &[
-        View {
+        ChartView {
             file: "directional-growth",
             title: "Memory of directional radiosity over the number of directions",
             across: (Column::Setting, "bins for each patch"),
@@ -30,7 +32,7 @@ pub const SUITE: Suite = Suite {
             least: 1.0,
             shows: |t| t.method.ends_with(PATCHES),
         },
-        View {
+        ChartView {
             file: "directional-cost",
             title: "Error of the floor in the picture against the time to find it",
             across: (Column::Seconds, "CPU seconds, one thread"),
@@ -78,7 +80,7 @@ pub fn run(
     let floor: Vec<usize> =
         (0..).zip(floor_pixels(&shot(1))).filter(|p| p.1).map(|p| p.0).collect();
     let by_paths = |n, seed| tracer.picture(&shot(1), n, seed, &|_, _, _| {}).picture;
-    let truth = Truth::of(floor, |seed| by_paths(truth, 1000 + seed));
+    let truth = PictureTruth::of(floor, |seed| by_paths(truth, 1000 + seed));
     let judge =
         |(seen, energy): &Answer| Verdict { energy: *energy, ..truth.judge(seen) };
     let bins: Vec<f64> = sides.iter().map(|side| f64::from(side * side)).collect();
@@ -94,7 +96,7 @@ pub fn run(
     let paths = Method::random("paths", paths, |n, seed| {
         let picture = by_paths(n as usize, seed);
         let rays = (n as usize * picture.pixels.len()) as u64;
-        ((picture, None), Work { rays, ..Work::default() })
+        ((picture, None), WorkDone { rays, ..WorkDone::default() })
     })
     .seeds(2); // a picture has many pixels
     contest.with(two_passes).with(paths).run(SUITE.name, bench)
@@ -107,7 +109,7 @@ type Answer = (Picture, Option<f64>);
 const COLOUR: usize = size_of::<Rgb>();
 const PAIR: usize = size_of::<(u32, f64)>();
 
-fn by_bins(edge: f64, side: u32) -> (Answer, Work) {
+fn by_bins(edge: f64, side: u32) -> (Answer, WorkDone) {
     let tiny = Tiny::new(edge, side, RAYS);
     let (light, bounces, ledger) = tiny.solve();
     let picture = tiny.picture(&light, &shot(3));
@@ -116,19 +118,19 @@ fn by_bins(edge: f64, side: u32) -> (Answer, Work) {
     // What leaves, what arrives, what leaves next; the shares; the paints.
     let kept = 3 * COLOUR * unknowns + PAIR * pairs;
     let bytes = kept + COLOUR * m * m * tiny.scene.materials.len();
-    let work = Work {
+    let work = WorkDone {
         factors: pairs as u64,
         rays: (unknowns * RAYS) as u64,
         steps: bounces as u64,
         bytes: bytes as u64,
-        ..Work::default()
+        ..WorkDone::default()
     };
     let energy = (ledger.imbalance / ledger.emitted).abs().max_element();
     ((picture, Some(energy)), work)
 }
 
 /// Radiosity for the diffuse light, to this error, and rays for the gloss.
-fn two_passes(scene: &Scene, tolerance: f64) -> (Answer, Work) {
+fn two_passes(scene: &Scene, tolerance: f64) -> (Answer, WorkDone) {
     let (solution, work) = solved(scene, tolerance);
     let light = &solution.vertex_radiosity;
     let second = TwoPass::showing(
@@ -140,7 +142,7 @@ fn two_passes(scene: &Scene, tolerance: f64) -> (Answer, Work) {
     let shown = second.picture(&shot(3), &|_, _, _| {});
     let Ledger { imbalance, emitted, .. } = solution.field.ledger;
     let energy = (imbalance / emitted).abs().max_element();
-    ((shown.picture, Some(energy)), Work { rays: shown.rays, ..work })
+    ((shown.picture, Some(energy)), WorkDone { rays: shown.rays, ..work })
 }
 
 /// A cube with an edge of 1 m: a red wall, a floor that is glossy, a lamp in the ceiling.

@@ -17,9 +17,9 @@ use crate::scene::Scene;
 use crate::solve::Ledger;
 use glam::DVec3;
 
-/// Light as it is shown: linear between the vertices of a mesh.
+/// LinearLight as it is shown: linear between the vertices of a mesh.
 #[derive(Debug)]
-pub struct Light {
+pub struct LinearLight {
     /// The elements.
     pub mesh: Mesh,
     /// `B`, W/m², at its vertices.
@@ -28,11 +28,11 @@ pub struct Light {
     pub ledger: Ledger,
 }
 
-impl Light {
+impl LinearLight {
     /// Smooth light of a scene.
-    pub fn smooth(scene: &Scene, found: Field) -> Light {
+    pub fn smooth(scene: &Scene, found: Field) -> LinearLight {
         let radiosity = found.vertex_radiosity(scene);
-        Light { mesh: found.mesh, radiosity, ledger: found.ledger }
+        LinearLight { mesh: found.mesh, radiosity, ledger: found.ledger }
     }
 
     /// How wrong it is.
@@ -50,7 +50,7 @@ impl Light {
 
 /// A point of a surface, the area it stands for, and what is reflected there.
 #[derive(Debug)]
-struct Place {
+struct JudgedPlace {
     surface: usize,
     at: DVec3,
     share: f64,
@@ -61,7 +61,7 @@ struct Place {
 /// The light of a scene at many points.
 #[derive(Debug)]
 pub struct Truth {
-    places: Vec<Place>,
+    places: Vec<JudgedPlace>,
     /// `‖B* − E‖²`.
     scale: Rgb,
     /// How far it may be off, as errors are.
@@ -78,7 +78,7 @@ impl Truth {
     /// Smooth light that is asked for this `error`.
     pub fn of(scene: &Scene, error: f64) -> Truth {
         let room = Room::of(scene);
-        let light = Light::smooth(scene, Smooth::once(&room, error));
+        let light = LinearLight::smooth(scene, Smooth::once(&room, error));
         let sampling = Sampling { points: 1600, rays: 1024, seed: SEED };
         let uncertainty = light.certified(&room, sampling).high;
         let mut places = places(scene);
@@ -92,7 +92,7 @@ impl Truth {
     }
 
     /// How far `light` is off, and what its ledger lacks.
-    pub fn judge(&self, light: &Light) -> Verdict {
+    pub fn judge(&self, light: &LinearLight) -> Verdict {
         let mut sum = Rgb::ZERO;
         for (place, b) in self.places.iter().zip(values(&self.places, light)) {
             let off = b - place.emission - place.reflected;
@@ -106,14 +106,14 @@ impl Truth {
 }
 
 /// Points spread evenly over all surfaces that reflect or let light through.
-fn places(scene: &Scene) -> Vec<Place> {
+fn places(scene: &Scene) -> Vec<JudgedPlace> {
     let all: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
     let of_surface = |(surface, s): (usize, &crate::scene::Surface)| {
         let area = s.polygon.area();
         let material = scene.material(s);
         let lit = material.scattered() != Rgb::ZERO;
         let count = if lit { (PLACES * area / all).ceil() as usize } else { 0 };
-        let place = |u| Place {
+        let place = |u| JudgedPlace {
             surface,
             at: s.polygon.point_at(u),
             share: area / count as f64,
@@ -127,7 +127,7 @@ fn places(scene: &Scene) -> Vec<Place> {
 }
 
 /// What `light` is at these places.
-fn values(places: &[Place], light: &Light) -> Vec<Rgb> {
+fn values(places: &[JudgedPlace], light: &LinearLight) -> Vec<Rgb> {
     let surfaces = places.iter().map(|p| p.surface + 1).max().unwrap_or(0);
     let mut of_surface = vec![Vec::new(); surfaces];
     for (id, element) in (0u32..).map(ElementId).zip(&light.mesh.elements) {
@@ -137,7 +137,7 @@ fn values(places: &[Place], light: &Light) -> Vec<Rgb> {
     }
     let outside =
         |id: &ElementId, x| light.mesh.element(*id).polygon.distance_outside(x);
-    let value = |place: &Place| {
+    let value = |place: &JudgedPlace| {
         let own = of_surface[place.surface].iter();
         let holds = |id: &&ElementId| outside(id, place.at) == 0.0;
         // Between two of them by rounding: the nearest.

@@ -1,7 +1,9 @@
 //! Form factors: one pair by every method - far, near, touching, half hidden - and rows of
 //! a room.
 
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
+use crate::chart::{
+    Bench, ChartView, Column, Contest, Method, Suite, Trial, Verdict, WorkDone,
+};
 use crate::form_factor::analytic::{Analytic, exchange, lambert_polygon};
 use crate::form_factor::cast::Cast;
 use crate::form_factor::hemicube::Hemicube;
@@ -25,7 +27,7 @@ pub const SUITE: Suite = Suite {
         view("form-factors-near", |t| t.scene == NEAR),
         view("form-factors-touching", |t| t.scene == TOUCHING && t.method != DISC),
         view("form-factors-hidden", |t| t.scene == HIDDEN && t.method != DISC),
-        View {
+        ChartView {
             title: "Largest error of a factor against the time for sixteen rows of them",
             across: (Column::Seconds, "CPU seconds for sixteen rows"),
             upward: (Column::Error, "largest error of a factor"),
@@ -35,8 +37,8 @@ pub const SUITE: Suite = Suite {
     ],
 };
 
-const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> View {
-    View {
+const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> ChartView {
+    ChartView {
         file,
         title: "Relative error of a form factor against the time to find it",
         across: (Column::Seconds, "CPU seconds for a factor"),
@@ -180,7 +182,7 @@ impl Pair {
                 Some((_, scene)) => scene.exchange(ElementId(0), ElementId(1)),
                 None => exchange(&i, &j, tolerance),
             };
-            (f, Work { factors: 1, ..Work::default() })
+            (f, WorkDone { factors: 1, ..WorkDone::default() })
         })
     }
 
@@ -189,7 +191,7 @@ impl Pair {
             let (to, pieces) = (self.to(), self.from.pieces(k as u64));
             let of =
                 |i: &Polygon| i.area() * lambert_polygon(i.centroid(), i.normal(), &to);
-            let work = Work { factors: pieces.len() as u64, ..Work::default() };
+            let work = WorkDone { factors: pieces.len() as u64, ..WorkDone::default() };
             (pieces.iter().map(of).sum(), work)
         })
     }
@@ -200,7 +202,7 @@ impl Pair {
         rule: fn(&Polygon, &Polygon) -> f64,
     ) -> Method<'_, f64> {
         Method::new(name, &[1.0, 2.0, 4.0, 8.0, 16.0, 32.0], move |k, _| {
-            let work = Work { factors: (k as u64).pow(4), ..Work::default() };
+            let work = WorkDone { factors: (k as u64).pow(4), ..WorkDone::default() };
             (self.pieces(k as u64, rule), work)
         })
     }
@@ -210,14 +212,14 @@ impl Pair {
         let (i, j) = (self.from(), self.to());
         Method::random("random pairs", &RAYS, move |n, seed| {
             let found = area::sampled(&i, &j, &visibility, n as usize, seed);
-            (found.exchange, Work { rays: n as u64, ..Work::default() })
+            (found.exchange, WorkDone { rays: n as u64, ..WorkDone::default() })
         })
     }
 
     fn rays(&self) -> Method<'_, f64> {
         Method::random("rays", &RAYS, |n, seed| {
             let f = self.by(&Cast::new(&self.mesh, n as usize, seed));
-            (f, Work { rays: n as u64, ..Work::default() })
+            (f, WorkDone { rays: n as u64, ..WorkDone::default() })
         })
     }
 
@@ -245,9 +247,9 @@ impl Pair {
 const RAYS: [f64; 4] = [100.0, 1_000.0, 10_000.0, 100_000.0];
 
 /// A hemicube of `n × n` cells on top has as many again on two pairs of half sides.
-fn cells(n: f64, cubes: u64) -> Work {
+fn cells(n: f64, cubes: u64) -> WorkDone {
     let pixels = 3 * (n as u64).pow(2) * cubes;
-    Work { pixels, factors: cubes, ..Work::default() }
+    WorkDone { pixels, factors: cubes, ..WorkDone::default() }
 }
 
 /// A scene of black faces.
@@ -305,7 +307,7 @@ fn rows(bench: &Bench) -> Vec<Trial> {
     let work = |rays: u64, pixels: u64| {
         let [factors, rays, pixels] =
             [n as u64, rays, pixels].map(|w| w * MEASURED as u64);
-        Work { factors, rays, pixels, ..Work::default() }
+        WorkDone { factors, rays, pixels, ..WorkDone::default() }
     };
     let cube = |name: &str| {
         let settings = [16.0, 32.0, 64.0, 128.0, 256.0, 512.0, 1024.0];

@@ -1,7 +1,9 @@
 //! What one point sees, and what one lobe reflects: integrals over directions by their
 //! closed forms, by pieces, on grids, and by rays.
 
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
+use crate::chart::{
+    Bench, ChartView, Column, Contest, Method, Suite, Trial, Verdict, WorkDone,
+};
 use crate::geometry::Polygon;
 use crate::material::Lobe;
 use crate::radiometry::{cosine_direction, projected_solid_angle, solid_angle};
@@ -43,8 +45,8 @@ const fn view(
     file: &'static str,
     title: &'static str,
     shows: fn(&Trial) -> bool,
-) -> View {
-    View {
+) -> ChartView {
+    ChartView {
         file,
         title,
         across: (Column::Seconds, "CPU seconds"),
@@ -86,8 +88,8 @@ fn off(exact: f64) -> impl Fn(&f64) -> Verdict {
     move |found| Verdict::of((found / exact - 1.0).abs())
 }
 
-fn evaluations(n: f64) -> Work {
-    Work { rays: n as u64, ..Work::default() }
+fn evaluations(n: f64) -> WorkDone {
+    WorkDone { rays: n as u64, ..WorkDone::default() }
 }
 
 fn exactly<'a>(find: impl Fn() -> f64 + 'a) -> Method<'a, f64> {

@@ -1,8 +1,8 @@
 //! One look at a scene, and who finds what it shows: radiosity, two passes, ray tracing,
 //! paths. All are asked the same: the radiance in the middle of each pixel.
 
-use super::truth::Truth;
-use crate::chart::{Contest, Method, Work};
+use super::truth::PictureTruth;
+use crate::chart::{Contest, Method, WorkDone};
 use crate::field::{Pass1, Smooth, gather_unbiased};
 use crate::film::{Picture, Shot};
 use crate::geometry::{Frame, Polygon, Ray, Rgb};
@@ -22,7 +22,7 @@ use std::f64::consts::PI;
 pub struct Onlooker {
     scene: Scene,
     shot: Shot,
-    truth: Truth,
+    truth: PictureTruth,
 }
 
 impl Onlooker {
@@ -46,7 +46,7 @@ impl Onlooker {
         let ends: Vec<(usize, Vec<End>)> =
             chosen.filter_map(|k| Some((k, eye.ends(&ray(&shot, k))?))).collect();
         let pixels = ends.iter().map(|(k, _)| *k).collect();
-        let truth = Truth::new(pixels, |seed| eye.radiance(&ends, walks, seed));
+        let truth = PictureTruth::new(pixels, |seed| eye.radiance(&ends, walks, seed));
         Onlooker { scene, shot, truth }
     }
 
@@ -76,7 +76,7 @@ impl Onlooker {
         })
     }
 
-    fn first(&self, scene: &Scene, tolerance: f64) -> (Picture, Work) {
+    fn first(&self, scene: &Scene, tolerance: f64) -> (Picture, WorkDone) {
         let (solution, work) = solved(scene, tolerance);
         (self.shot.smooth(&solution.field.mesh, &solution.vertex_radiosity), work)
     }
@@ -96,12 +96,12 @@ impl Onlooker {
         })
     }
 
-    fn both(&self, tolerance: f64, options: Look) -> (Picture, Work) {
+    fn both(&self, tolerance: f64, options: Look) -> (Picture, WorkDone) {
         let (solution, work) = solved(&self.scene, tolerance);
         let (mesh, light) = (&solution.field.mesh, &solution.vertex_radiosity);
         let two = TwoPass::showing(&Room::of(&self.scene), mesh, light, options);
         let shown = two.picture(&self.shot, &|_, _, _| {});
-        (shown.picture, Work { rays: shown.rays, ..work })
+        (shown.picture, WorkDone { rays: shown.rays, ..work })
     }
 
     /// Classical ray tracing, cut after so many bounces.
@@ -109,7 +109,7 @@ impl Onlooker {
         Method::new("ray tracing", depths, |depth, _| {
             let limits = Limits { depth: depth as u32, ..Limits::default() };
             let tracer = Whitted::of(&Room::of(&self.scene), limits);
-            let mut work = Work::default();
+            let mut work = WorkDone::default();
             let picture = self.each(|ray, _| {
                 let along = tracer.along(&ray);
                 work.rays += along.rays;
@@ -134,7 +134,7 @@ impl Onlooker {
                 (0..samples as u64).map(path).sum::<Rgb>() / samples
             });
             let rays = samples as u64 * picture.pixels.len() as u64;
-            (picture, Work { rays, ..Work::default() })
+            (picture, WorkDone { rays, ..WorkDone::default() })
         })
         .seeds(2) // a picture has many pixels
     }
@@ -151,7 +151,7 @@ impl Onlooker {
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
 /// Pass 1, once, with its certificate.
-pub fn solved(scene: &Scene, tolerance: f64) -> (Solution, Work) {
+pub fn solved(scene: &Scene, tolerance: f64) -> (Solution, WorkDone) {
     // One attempt, whatever its certificate says.
     let (room, goal) = (Room::of(scene), Goal::within(1e9));
     let first = Smooth.first(&room, tolerance);
@@ -161,7 +161,7 @@ pub fn solved(scene: &Scene, tolerance: f64) -> (Solution, Work) {
     let factors = (solution.field.rows * solution.field.patches) as u64;
     let bytes = size_of_val(&solution.vertex_radiosity[..]) as u64;
     let steps = solution.field.steps as u64;
-    (solution, Work { factors, steps, bytes, ..Work::default() })
+    (solution, WorkDone { factors, steps, bytes, ..WorkDone::default() })
 }
 
 /// Through the middle of the `k`th pixel.

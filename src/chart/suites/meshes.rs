@@ -1,8 +1,8 @@
 //! Meshes: elements all alike, elements where they pay, links between nodes of any size, and
 //! smooth light - the same rooms, held against the same light.
 
-use super::field::{Light, Truth};
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
+use super::field::{LinearLight, Truth};
+use crate::chart::{Bench, ChartView, Column, Contest, Method, Suite, Trial, WorkDone};
 use crate::field::{Pass1, Smooth};
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::hemicube::Hemicube;
@@ -26,7 +26,7 @@ pub const SUITE: Suite = Suite {
         time("meshes-cornell", |t| t.scene == CORNELL && t.method != ALL),
         time("meshes-indirect", |t| t.scene == INDIRECT && t.method != ALL),
         time("meshes-cube", |t| t.scene == CUBE && t.method != ALL),
-        View {
+        ChartView {
             title: "Relative error of the light shown against the number of elements, when \
                     all are split and when those are that the oracle marks",
             across: (Column::Setting, "elements"),
@@ -34,7 +34,7 @@ pub const SUITE: Suite = Suite {
                 t.scene != CUBE && [ALL, MARKED].contains(&t.method.as_str())
             })
         },
-        View {
+        ChartView {
             title: "Links, and factors, against the number of elements",
             across: (Column::Setting, "elements"),
             upward: (Column::Factors, "links or factors"),
@@ -43,7 +43,7 @@ pub const SUITE: Suite = Suite {
                     && [HEMICUBES, MARKED, LINKS].contains(&t.method.as_str())
             })
         },
-        View {
+        ChartView {
             title: "Relative error of the light shown against the memory to find it",
             across: (Column::Memory, "bytes held at most"),
             ..time("meshes-memory", |t| t.scene == CORNELL && t.method != ALL)
@@ -51,8 +51,8 @@ pub const SUITE: Suite = Suite {
     ],
 };
 
-const fn time(file: &'static str, shows: fn(&Trial) -> bool) -> View {
-    View {
+const fn time(file: &'static str, shows: fn(&Trial) -> bool) -> ChartView {
+    ChartView {
         file,
         title: "Relative error of the light shown against the time to find it; marks are \
                 labelled by elements",
@@ -136,7 +136,7 @@ fn measure(bench: &Bench) -> Vec<Trial> {
 pub fn contest(name: &str, reach: Reach, bench: &Bench) -> Vec<Trial> {
     let Some(scene) = scene(name) else { return vec![] };
     let truth = Truth::of(&scene, reach.truth);
-    Contest::new(name, truth.uncertainty, |light: &Light| truth.judge(light))
+    Contest::new(name, truth.uncertainty, |light: &LinearLight| truth.judge(light))
         .with(even(&scene, ANALYTIC, 0.5 * reach.even))
         .with(even(&scene, HEMICUBES, reach.even))
         .with(substructured(&scene, ALL, reach.rounds.min(3)))
@@ -151,8 +151,8 @@ pub fn contest(name: &str, reach: Reach, bench: &Bench) -> Vec<Trial> {
 fn by_elements<'a, Q: 'a>(
     name: &str,
     mut asked: Vec<(usize, Q)>,
-    run: impl Fn(&Q) -> (Light, Work) + 'a,
-) -> Method<'a, Light> {
+    run: impl Fn(&Q) -> (LinearLight, WorkDone) + 'a,
+) -> Method<'a, LinearLight> {
     asked.dedup_by_key(|(n, _)| *n);
     let settings: Vec<f64> = asked.iter().map(|(n, _)| *n as f64).collect();
     Method::new(name, &settings, move |elements, _| {
@@ -162,7 +162,11 @@ fn by_elements<'a, Q: 'a>(
 }
 
 /// Elements of one size, and all factors between them.
-fn even<'a>(scene: &'a Scene, name: &'static str, most: f64) -> Method<'a, Light> {
+fn even<'a>(
+    scene: &'a Scene,
+    name: &'static str,
+    most: f64,
+) -> Method<'a, LinearLight> {
     let area: f64 = scene.surfaces.iter().map(|s| s.polygon.area()).sum();
     let counts = [250.0, 500.0, 1000.0, 2000.0].into_iter();
     let edges = counts.filter(|n| *n <= most).map(|n| (area / n).sqrt());
@@ -180,7 +184,10 @@ fn even<'a>(scene: &'a Scene, name: &'static str, most: f64) -> Method<'a, Light
         let kept: usize = factors.rows().iter().map(|r| r.factors().len()).sum();
         let bytes = (kept * size_of::<(u32, f64)>()) as u64;
         let (light, steps) = gathered(scene, mesh, &factors);
-        (light, Work { factors: n * n, pixels, steps, bytes, ..Work::default() })
+        (
+            light,
+            WorkDone { factors: n * n, pixels, steps, bytes, ..WorkDone::default() },
+        )
     })
 }
 
@@ -192,12 +199,12 @@ fn cells(resolution: u32) -> u64 {
 /// The solver's own error, far below that of any mesh here.
 const ACCURACY: f64 = 1e-3;
 
-fn gathered(scene: &Scene, mesh: Mesh, factors: &Matrix) -> (Light, u64) {
+fn gathered(scene: &Scene, mesh: Mesh, factors: &Matrix) -> (LinearLight, u64) {
     let enclosure = Enclosure::of(scene, &mesh);
     let mut solver = GaussSeidel::new(&enclosure, factors);
     let done = solver.run(contraction(&enclosure, factors), ACCURACY, 10_000);
     let radiosity = mesh.vertex_values(solver.radiosity());
-    (Light { mesh, radiosity, ledger: done.last.ledger }, done.steps as u64)
+    (LinearLight { mesh, radiosity, ledger: done.last.ledger }, done.steps as u64)
 }
 
 // ANCHOR: rounds
@@ -270,7 +277,11 @@ impl<'a> Rounds<'a> {
     }
 }
 
-fn substructured<'a>(scene: &'a Scene, name: &str, rounds: usize) -> Method<'a, Light> {
+fn substructured<'a>(
+    scene: &'a Scene,
+    name: &str,
+    rounds: usize,
+) -> Method<'a, LinearLight> {
     let splits = Rounds::new(scene, name == MARKED);
     let sizes = splits.run(rounds).into_iter().map(|r| r.mesh.elements.len());
     let asked = sizes.zip(1..).collect();
@@ -279,22 +290,22 @@ fn substructured<'a>(scene: &'a Scene, name: &str, rounds: usize) -> Method<'a, 
         let Round { mesh, light, factors } = last;
         let rows = (factors / mesh.patches.len()) as u64;
         let kept = mesh.elements.len() * mesh.patches.len();
-        let work = Work {
+        let work = WorkDone {
             factors: factors as u64,
             pixels: rows * cells(RESOLUTION),
             steps: light.outcome.steps as u64,
             bytes: (kept * size_of::<(u32, f64)>()) as u64,
-            ..Work::default()
+            ..WorkDone::default()
         };
         let radiosity = mesh.vertex_values(&light.radiosity);
-        (Light { mesh, radiosity, ledger: light.outcome.last.ledger }, work)
+        (LinearLight { mesh, radiosity, ledger: light.outcome.last.ledger }, work)
     })
 }
 
 /// Errors that links are asked for.
 const LINKED: [f64; 6] = [0.16, 0.11, 0.08, 0.057, 0.04, 0.02];
 
-fn linked(scene: &Scene, finest: f64) -> Method<'_, Light> {
+fn linked(scene: &Scene, finest: f64) -> Method<'_, LinearLight> {
     let solved = |error: f64| {
         let options = HierarchyOptions::aiming_at(error, scene);
         solve_hierarchy(scene, &options, &|_, _, _| {})
@@ -303,33 +314,33 @@ fn linked(scene: &Scene, finest: f64) -> Method<'_, Light> {
     let asked = errors.map(|e| (solved(e).mesh.elements.len(), e)).collect();
     by_elements(LINKS, asked, move |&error| {
         let found = solved(error);
-        let work = Work {
+        let work = WorkDone {
             factors: found.links as u64,
             steps: found.steps as u64,
             bytes: (found.links * size_of::<Link>()) as u64,
-            ..Work::default()
+            ..WorkDone::default()
         };
         let radiosity = found.vertex_radiosity;
-        (Light { mesh: found.mesh, radiosity, ledger: found.ledger }, work)
+        (LinearLight { mesh: found.mesh, radiosity, ledger: found.ledger }, work)
     })
 }
 
 /// Errors that smooth light is asked for.
 const SMOOTHED: [f64; 5] = [0.2, 0.1, 0.05, 0.02, 0.01];
 
-fn smoothed(scene: &Scene, finest: f64) -> Method<'_, Light> {
+fn smoothed(scene: &Scene, finest: f64) -> Method<'_, LinearLight> {
     let solved = |error: f64| Smooth::once(&Room::of(scene), error);
     let errors = SMOOTHED.into_iter().filter(|e| *e >= finest);
     let asked = errors.map(|e| (solved(e).mesh.elements.len(), e)).collect();
     by_elements(SMOOTH, asked, move |&error| {
         let found = solved(error);
         let cubes = found.rows as u64;
-        let work = Work {
+        let work = WorkDone {
             factors: cubes * found.patches as u64,
             pixels: cubes * cells(Smooth.first(&Room::of(scene), error).hemicube),
             steps: found.steps as u64,
-            ..Work::default()
+            ..WorkDone::default()
         };
-        (Light::smooth(scene, found), work)
+        (LinearLight::smooth(scene, found), work)
     })
 }

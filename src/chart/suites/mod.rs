@@ -16,7 +16,7 @@ pub mod sky;
 pub mod solvers;
 mod truth;
 
-use super::{Bench, Trial, View};
+use super::{Bench, ChartView, Trial};
 
 /// Contests that belong together, and the charts that are drawn of them.
 #[derive(Debug)]
@@ -28,7 +28,7 @@ pub struct Suite {
     /// Runs it.
     pub measure: fn(&Bench) -> Vec<Trial>,
     /// Its charts.
-    pub views: &'static [View],
+    pub views: &'static [ChartView],
 }
 
 /// All suites, in the order of the book.

@@ -2,8 +2,8 @@
 //! shines; how paths find lamps; and how a solution is drawn.
 
 use super::look::Onlooker;
-use super::truth::Truth;
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
+use super::truth::PictureTruth;
+use crate::chart::{Bench, ChartView, Column, Contest, Method, Suite, Trial, WorkDone};
 use crate::field::Classical;
 use crate::film::{Picture, Shot};
 use crate::mesh::Mesh;
@@ -21,19 +21,19 @@ pub const SUITE: Suite = Suite {
         view("pictures-cornell", |t| t.scene == CORNELL),
         view("pictures-mirror", |t| t.scene == MIRROR),
         view("pictures-pane", |t| t.scene == PANE),
-        View {
+        ChartView {
             title: "Noise of a picture by paths against the time it took",
             ..view("pictures-strategies", |t| t.scene == STRATEGIES)
         },
-        View {
+        ChartView {
             title: "Error of a picture of the solved Cornell box against the time to draw it",
             ..view("pictures-drawn", |t| t.scene == DRAWN)
         },
     ],
 };
 
-const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> View {
-    View {
+const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> ChartView {
+    ChartView {
         file,
         title: "Error of a picture against the time for it, by four methods",
         across: (Column::Seconds, "CPU seconds, one thread"),
@@ -127,12 +127,12 @@ pub fn drawn(size: u32, samples: &[f64], truth: u32, bench: &Bench) -> Vec<Trial
     for (name, draw) in ways {
         let all = (0..(size * size) as usize).collect();
         let right = draw(truth);
-        let right = Truth::of(all, |_| right.clone());
+        let right = PictureTruth::of(all, |_| right.clone());
         // Samples on a grid: what they miss falls as one over their number along an edge.
         let uncertainty = right.judge(&draw(truth / 2)).error;
-        let work = |n: f64| Work {
+        let work = |n: f64| WorkDone {
             pixels: (n * n) as u64 * u64::from(size * size),
-            ..Work::default()
+            ..WorkDone::default()
         };
         let method = Method::new(name, samples, |n, _| (draw(n as u32), work(n)));
         let contest =

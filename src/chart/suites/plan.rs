@@ -4,9 +4,9 @@
 //! Who knows the answer can try settings until one just suffices. A plan has to choose
 //! beforehand, and must prove that it suffices; so the best in hindsight is certified, too.
 
-use super::field::{Light, Truth};
+use super::field::{LinearLight, Truth};
 use crate::certificate::{Certificate, Sampling};
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, View, Work};
+use crate::chart::{Bench, ChartView, Column, Contest, Method, Suite, Trial, WorkDone};
 use crate::field::{Fineness, Pass1, Smooth};
 use crate::mesh::Element;
 use crate::plan::{Plan, Planned};
@@ -21,12 +21,12 @@ pub const SUITE: Suite = Suite {
     about: "error asked for and error given, and what the best setting would have cost",
     measure,
     views: &[
-        View {
+        ChartView {
             title: "Error asked for, certified and measured against the time it took",
             across: (Column::Seconds, "CPU seconds"),
             ..view("plan-cornell", |t| t.scene == "cornell" && t.method != LIKELY)
         },
-        View {
+        ChartView {
             title: "Error certified against the error asked for",
             across: (Column::Setting, "error asked for"),
             ..view("plan-certified", |t| {
@@ -36,8 +36,8 @@ pub const SUITE: Suite = Suite {
     ],
 };
 
-const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> View {
-    View {
+const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> ChartView {
+    ChartView {
         file,
         title: "",
         across: (Column::Setting, ""),
@@ -111,7 +111,7 @@ pub fn contest(
     let best = Hindsight::of(&scene, &truth, tolerances);
     let told = RefCell::new(vec![]);
     let mut trials =
-        Contest::new(name, truth.uncertainty, |light: &Light| truth.judge(light))
+        Contest::new(name, truth.uncertainty, |light: &LinearLight| truth.judge(light))
             .with(planned(&scene, asked, &told))
             .with(best.method(&scene, BEST))
             .with(best.method(&scene, BARE))
@@ -136,7 +136,7 @@ fn planned<'a>(
     scene: &'a Scene,
     tolerances: &[f64],
     told: &'a RefCell<Vec<(f64, Certificate)>>,
-) -> Method<'a, Light> {
+) -> Method<'a, LinearLight> {
     Method::new(PLAN, tolerances, |tolerance, _| {
         let room = Room::of(scene);
         let quiet = crate::work::Work::quiet();
@@ -144,16 +144,16 @@ fn planned<'a>(
         let Planned { solution, .. } = done.expect("built-in scenes can be solved");
         told.borrow_mut().push((tolerance, solution.certificate));
         let (field, radiosity) = (solution.field, solution.vertex_radiosity);
-        let light = Light { mesh: field.mesh, radiosity, ledger: field.ledger };
+        let light = LinearLight { mesh: field.mesh, radiosity, ledger: field.ledger };
         let work = |attempt| of_attempt(attempt, &sampling_for(tolerance));
-        (light, solution.attempts.iter().map(work).fold(Work::default(), sum))
+        (light, solution.attempts.iter().map(work).fold(WorkDone::default(), sum))
     })
 }
 
 /// What one attempt of a plan is, with its certificate.
-fn of_attempt(pass: &Attempt, sampling: &Sampling) -> Work {
+fn of_attempt(pass: &Attempt, sampling: &Sampling) -> WorkDone {
     let (looks, cells) = (pass.rows as u64, cells(&pass.fineness));
-    Work {
+    WorkDone {
         factors: looks * pass.patches as u64,
         pixels: looks * cells,
         rays: rays(sampling),
@@ -162,8 +162,8 @@ fn of_attempt(pass: &Attempt, sampling: &Sampling) -> Work {
     }
 }
 
-fn sum(a: Work, b: Work) -> Work {
-    Work {
+fn sum(a: WorkDone, b: WorkDone) -> WorkDone {
+    WorkDone {
         factors: a.factors + b.factors,
         pixels: a.pixels + b.pixels,
         rays: a.rays + b.rays,
@@ -184,7 +184,7 @@ fn rays(sampling: &Sampling) -> u64 {
 // ANCHOR: cost
 /// What work costs, by counts, and so the same on any machine. About microseconds: of cells
 /// drawn, patches seen, hemicubes begun, elements lit, and rays of certificates.
-pub fn cost(work: &Work) -> f64 {
+pub fn cost(work: &WorkDone) -> f64 {
     let elements = work.bytes as f64 / size_of::<Element>() as f64;
     0.01 * work.pixels as f64
         + 0.16 * work.factors as f64
@@ -195,15 +195,15 @@ pub fn cost(work: &Work) -> f64 {
 // ANCHOR_END: cost
 
 /// The same without certificates.
-pub fn cost_of_light(work: &Work) -> f64 {
-    cost(&Work { rays: 0, ..*work })
+pub fn cost_of_light(work: &WorkDone) -> f64 {
+    cost(&WorkDone { rays: 0, ..*work })
 }
 
 /// Fixed settings, all tried on one scene.
 #[derive(Debug)]
 pub struct Hindsight {
     /// For each tolerance the cheapest that suffices, and its work; none may.
-    pub best: Vec<(f64, Option<(Fineness, Work)>)>,
+    pub best: Vec<(f64, Option<(Fineness, WorkDone)>)>,
 }
 
 /// Patches all over the scene.
@@ -241,14 +241,14 @@ impl Hindsight {
     }
 
     /// Is there a tolerance for which nothing cheaper suffices?
-    fn is_cheap(&self, work: &Work) -> bool {
-        let cheaper = |best: &Option<(Fineness, Work)>| {
+    fn is_cheap(&self, work: &WorkDone) -> bool {
+        let cheaper = |best: &Option<(Fineness, WorkDone)>| {
             best.is_none_or(|(_, known)| cost(work) < cost(&known))
         };
         self.best.iter().any(|(_, best)| cheaper(best))
     }
 
-    fn enter(&mut self, error: f64, how: Fineness, work: Work) {
+    fn enter(&mut self, error: f64, how: Fineness, work: WorkDone) {
         for (tolerance, best) in &mut self.best {
             let better = best.is_none_or(|(_, known)| cost(&work) < cost(&known));
             if error <= *tolerance && better {
@@ -257,7 +257,11 @@ impl Hindsight {
         }
     }
 
-    fn method<'a>(&'a self, scene: &'a Scene, name: &'static str) -> Method<'a, Light> {
+    fn method<'a>(
+        &'a self,
+        scene: &'a Scene,
+        name: &'static str,
+    ) -> Method<'a, LinearLight> {
         let found = self.best.iter().filter(|(_, best)| best.is_some());
         let settings: Vec<f64> = found.map(|(tolerance, _)| *tolerance).collect();
         Method::new(name, &settings, move |tolerance, _| {
@@ -295,16 +299,16 @@ fn settings(scene: &Scene) -> impl Iterator<Item = Fineness> {
     CELLS.into_iter().flat_map(patches)
 }
 
-fn run(scene: &Scene, how: &Fineness) -> (Light, Work) {
+fn run(scene: &Scene, how: &Fineness) -> (LinearLight, WorkDone) {
     let quiet = crate::work::Work::quiet();
     let found = Smooth.field(&Room::of(scene), how, &quiet);
     let looks = found.rows as u64;
-    let work = Work {
+    let work = WorkDone {
         factors: looks * found.patches as u64,
         pixels: looks * cells(how),
         steps: looks,
         bytes: (found.mesh.elements.len() * size_of::<Element>()) as u64,
-        ..Work::default()
+        ..WorkDone::default()
     };
-    (Light::smooth(scene, found), work)
+    (LinearLight::smooth(scene, found), work)
 }

@@ -6,7 +6,9 @@
 //! ```
 //! Nothing is judged here: errors stand as NaN.
 
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
+use crate::chart::{
+    Bench, ChartView, Column, Contest, Method, Suite, Trial, Verdict, WorkDone,
+};
 use crate::field::{Pass1, Smooth};
 use crate::film::Shot;
 use crate::form_factor::analytic::Analytic;
@@ -30,20 +32,20 @@ pub const SUITE: Suite = Suite {
         view("scaling-stages", "Time of each stage of the pipeline", |t| {
             t.scene == STAGES[0]
         }),
-        View {
+        ChartView {
             upward: (Column::Memory, "bytes held at most"),
             ..view("scaling-memory", "Memory of each stage of the pipeline", |t| {
                 t.scene == STAGES[0]
             })
         },
-        View {
+        ChartView {
             across: (Column::Setting, "faces"),
             upward: (Column::Seconds, "CPU seconds for 40 rows"),
             ..view("scaling-rows", "Time to find rows of form factors", |t| {
                 ROWS.contains(&t.scene.as_str())
             })
         },
-        View {
+        ChartView {
             across: (Column::Setting, "triangles"),
             ..view(
                 "scaling-rays",
@@ -51,7 +53,7 @@ pub const SUITE: Suite = Suite {
                 |t| t.scene == TRIANGLES,
             )
         },
-        View {
+        ChartView {
             across: (Column::Setting, "surfaces"),
             ..view("scaling-surfaces", "Time to solve a room of many surfaces", |t| {
                 t.scene == SURFACES
@@ -64,8 +66,8 @@ const fn view(
     file: &'static str,
     title: &'static str,
     shows: fn(&Trial) -> bool,
-) -> View {
-    View {
+) -> ChartView {
+    ChartView {
         file,
         title,
         across: (Column::Setting, "elements"),
@@ -130,7 +132,7 @@ type BySize<T> = Vec<(usize, T)>;
 fn over<'a, T>(
     name: &str,
     ready: &'a BySize<T>,
-    run: impl Fn(&T) -> Work + 'a,
+    run: impl Fn(&T) -> WorkDone + 'a,
 ) -> Method<'a, ()> {
     let sizes: Vec<f64> = ready.iter().map(|(n, _)| *n as f64).collect();
     Method::new(name, &sizes, move |size, _| {
@@ -173,9 +175,9 @@ pub fn stages(name: &str, scene: &Scene, sizes: &[f64], bench: &Bench) -> Vec<Tr
     contest(name)
         .with(over(STAGE[0], &ready, |r| {
             let n = even(scene, r.elements).elements.len();
-            Work {
+            WorkDone {
                 bytes: (n * size_of::<crate::mesh::Element>()) as u64,
-                ..Work::default()
+                ..WorkDone::default()
             }
         }))
         .with(over(STAGE[1], &ready, |r| {
@@ -183,20 +185,20 @@ pub fn stages(name: &str, scene: &Scene, sizes: &[f64], bench: &Bench) -> Vec<Tr
             let factors = Hemicube::new(&r.mesh, RESOLUTION).matrix(&|| ());
             let kept: usize = factors.rows().iter().map(|r| r.factors().len()).sum();
             let bytes = (kept * size_of::<(u32, f64)>()) as u64;
-            Work {
+            WorkDone {
                 factors: n * n,
                 pixels: n * cells(RESOLUTION),
                 bytes,
-                ..Work::default()
+                ..WorkDone::default()
             }
         }))
         .with(over(STAGE[2], &ready, |r| {
             let steps = solve(&r.enclosure, &r.factors).1 as u64;
-            Work { steps, ..Work::default() }
+            WorkDone { steps, ..WorkDone::default() }
         }))
         .with(over(STAGE[3], &ready, |r| {
             let _ = shot.smooth(&r.mesh, &r.mesh.vertex_values(&r.radiosity));
-            Work { pixels: 512 * 512, ..Work::default() }
+            WorkDone { pixels: 512 * 512, ..WorkDone::default() }
         }))
         .run(SUITE.name, bench)
 }
@@ -264,7 +266,7 @@ pub fn rows(name: &str, scene: &Scene, sizes: &[f64], bench: &Bench) -> Vec<Tria
     let pixels = ROWS_TIMED as u64 * cells(RESOLUTION);
     contest(name)
         .with(over("analytic", &analytic, |factors| some_rows(factors)))
-        .with(over("hemicubes", &cubes, |factors| Work {
+        .with(over("hemicubes", &cubes, |factors| WorkDone {
             pixels,
             ..some_rows(factors)
         }))
@@ -272,13 +274,13 @@ pub fn rows(name: &str, scene: &Scene, sizes: &[f64], bench: &Bench) -> Vec<Tria
 }
 
 /// Some of all rows, spread evenly.
-fn some_rows(factors: &dyn FormFactors) -> Work {
+fn some_rows(factors: &dyn FormFactors) -> WorkDone {
     let n = factors.len();
     let mut row = vec![0.0; n];
     for k in 0..ROWS_TIMED {
         factors.row(ElementId((k * n / ROWS_TIMED) as u32), &mut row);
     }
-    Work { factors: (ROWS_TIMED * n) as u64, ..Work::default() }
+    WorkDone { factors: (ROWS_TIMED * n) as u64, ..WorkDone::default() }
 }
 
 /// Triangles, and rays that start on them.
@@ -308,12 +310,12 @@ pub fn rays(scene: &Scene, sizes: &[f64], bench: &Bench) -> Vec<Trial> {
     contest(TRIANGLES)
         .with(over("making ready", &ready, |t| {
             Visibility::new(&t.polygons);
-            Work::default()
+            WorkDone::default()
         }))
         .with(over("rays", &ready, |t| {
             let met = |(k, ray): &&(u32, Ray)| t.all.closest(ray, Some(*k)).is_some();
             let met = t.rays.iter().filter(met).count();
-            Work { rays: met as u64, ..Work::default() }
+            WorkDone { rays: met as u64, ..WorkDone::default() }
         }))
         .run(SUITE.name, bench)
 }
@@ -330,7 +332,7 @@ pub fn surfaces(scene: &Scene, sizes: &[f64], bench: &Bench) -> Vec<Trial> {
             let found = solve_hierarchy(&t.scene, &options, &|_, _, _| {});
             let (factors, steps) = (found.links as u64, found.steps as u64);
             let bytes = (found.links * size_of::<Link>()) as u64;
-            Work { factors, steps, bytes, ..Work::default() }
+            WorkDone { factors, steps, bytes, ..WorkDone::default() }
         }))
         .with(over("smooth light", &tiles, |t| {
             let room = Room::of(&t.scene);
@@ -339,18 +341,18 @@ pub fn surfaces(scene: &Scene, sizes: &[f64], bench: &Bench) -> Vec<Trial> {
             let (cubes, patches) = (found.rows as u64, found.patches as u64);
             let pixels = cubes * cells(how.hemicube);
             let steps = found.steps as u64;
-            Work { factors: cubes * patches, pixels, steps, ..Work::default() }
+            WorkDone { factors: cubes * patches, pixels, steps, ..WorkDone::default() }
         }))
         .with(over("hemicube matrix", &tiles, |t| {
             let enclosure = Enclosure::of(&t.scene, &t.mesh);
             let factors = Hemicube::new(&t.mesh, RESOLUTION).matrix(&|| ());
             let steps = solve(&enclosure, &factors).1 as u64;
             let n = t.mesh.elements.len() as u64;
-            Work {
+            WorkDone {
                 factors: n * n,
                 pixels: n * cells(RESOLUTION),
                 steps,
-                ..Work::default()
+                ..WorkDone::default()
             }
         }))
         .run(SUITE.name, bench)

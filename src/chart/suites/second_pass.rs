@@ -2,8 +2,10 @@
 //! lobe.
 
 use super::look::{Onlooker, solved};
-use super::truth::Truth;
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
+use super::truth::PictureTruth;
+use crate::chart::{
+    Bench, ChartView, Column, Contest, Method, Suite, Trial, Verdict, WorkDone,
+};
 use crate::film::{Picture, Shot};
 use crate::geometry::Polygon;
 use crate::material::Lobe;
@@ -21,22 +23,22 @@ pub const SUITE: Suite = Suite {
     about: "pictures by two passes and by paths; gloss by cones and by rays",
     measure,
     views: &[
-        View {
+        ChartView {
             title: "Error of a picture with a mirror against the time for it",
             upward: (Column::Error, "error of a pixel, relative to the mean"),
             ..view("second-pass-mirror", |t| t.scene == MIRROR)
         },
-        View {
+        ChartView {
             title: "Error of a picture without a mirror against the time for it",
             upward: (Column::Error, "error of a pixel, relative to the mean"),
             ..view("second-pass-plain", |t| t.scene == PLAIN)
         },
-        View {
+        ChartView {
             title: "Error of what a glossy floor shows against the time of pass 2",
             upward: (Column::Error, "error of a pixel, relative to the mean"),
             ..view("second-pass-gloss", |t| t.scene == GLOSS)
         },
-        View {
+        ChartView {
             title: "Error of one lamp's light in a lobe against cones or rays",
             across: (Column::Setting, "N: cones, or rays"),
             upward: (Column::Error, "relative error"),
@@ -45,8 +47,8 @@ pub const SUITE: Suite = Suite {
     ],
 };
 
-const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> View {
-    View {
+const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> ChartView {
+    ChartView {
         file,
         title: "",
         across: (Column::Seconds, "CPU seconds, one thread"),
@@ -105,7 +107,7 @@ pub fn gloss(size: u32, rays: usize, bench: &Bench) -> Vec<Trial> {
         let options = Look { gloss, seed, limits, ..Look::default() };
         let two = TwoPass::showing(&Room::of(&scene), mesh, light, options);
         let shown = two.picture(&shot, &|_, _, _| {});
-        (shown.picture, Work { rays: shown.rays, ..Work::default() })
+        (shown.picture, WorkDone { rays: shown.rays, ..WorkDone::default() })
     };
     let items = shot.items(mesh);
     let glossy = |seen: Seen| {
@@ -116,7 +118,7 @@ pub fn gloss(size: u32, rays: usize, bench: &Bench) -> Vec<Trial> {
     };
     let pixels = (0..items.pixels().count()).zip(items.pixels());
     let pixels = pixels.filter(|(_, seen)| glossy(*seen)).map(|(k, _)| k).collect();
-    let truth = Truth::of(pixels, |seed| shown(LobeAs::Stack(64), rays, seed).0);
+    let truth = PictureTruth::of(pixels, |seed| shown(LobeAs::Stack(64), rays, seed).0);
     let judge = |seen: &Picture| truth.judge(seen);
     let (cones, rays) = ([1.0, 2.0, 4.0, 8.0, 16.0, 32.0], [1.0, 4.0, 8.0, 32.0]);
     Contest::new(GLOSS, truth.uncertainty(), judge)
@@ -158,7 +160,7 @@ pub fn lobe(bench: &Bench) -> Vec<Trial> {
                 // Of the whole lobe each would count 2π/(n + 2).
                 let counts = (EXPONENT + 2.0) / TAU / n;
                 let sum: f64 = cones.iter().map(overlap).sum();
-                (counts * sum, Work { factors: n as u64, ..Work::default() })
+                (counts * sum, WorkDone { factors: n as u64, ..WorkDone::default() })
             })
             .seeds(OFTEN),
         )
@@ -176,7 +178,7 @@ pub fn lobe(bench: &Bench) -> Vec<Trial> {
                 let sum: f64 = points.map(counts).sum();
                 (
                     sum / n / phong.albedo(1.0),
-                    Work { rays: n as u64, ..Work::default() },
+                    WorkDone { rays: n as u64, ..WorkDone::default() },
                 )
             })
             .seeds(OFTEN),
@@ -184,7 +186,7 @@ pub fn lobe(bench: &Bench) -> Vec<Trial> {
         .with(Method::new("one cone of 90 %", &[1.0], |_, _| {
             let cone = Cone::holding(0.9, EXPONENT, DVec3::Z);
             let share = overlap(&cone) / cone.projected_solid_angle(DVec3::Z);
-            (share, Work { factors: 1, ..Work::default() })
+            (share, WorkDone { factors: 1, ..WorkDone::default() })
         }))
         .run(SUITE.name, bench)
 }

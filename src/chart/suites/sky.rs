@@ -1,7 +1,9 @@
 //! Light from the sky: the ground's irradiance, by directions drawn in three ways, and by
 //! all texels.
 
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
+use crate::chart::{
+    Bench, ChartView, Column, Contest, Method, Suite, Trial, Verdict, WorkDone,
+};
 use crate::geometry::Rgb;
 use crate::radiometry::cosine_direction;
 use crate::random::Stream;
@@ -20,8 +22,8 @@ pub const SUITE: Suite = Suite {
     ],
 };
 
-const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> View {
-    View {
+const fn view(file: &'static str, shows: fn(&Trial) -> bool) -> ChartView {
+    ChartView {
         file,
         title: "Relative error of the ground's irradiance against the time to find it",
         across: (Column::Seconds, "CPU seconds for one point"),
@@ -92,7 +94,7 @@ impl Draw {
             let mut stream = Stream::named(seed, &[n as u64]);
             let mut ray = || self.light(sky, dvec2(stream.next(), stream.next())).1.y;
             let sum: f64 = (0..n as u64).map(|_| ray()).sum();
-            (sum / n, Work { rays: n as u64, ..Work::default() })
+            (sum / n, WorkDone { rays: n as u64, ..WorkDone::default() })
         };
         Method::random(self.name(), rays, find).seeds(SEEDS)
     }
@@ -111,7 +113,7 @@ pub fn ground(rays: &[f64], bench: &Bench) -> Vec<Trial> {
     let sunny = Sky::panorama(sunny(), DVec3::Y);
     let texels = (WIDTH * WIDTH / 2) as u64;
     let all = Method::new("all texels", &[texels as f64], |_, _| {
-        (sunny.irradiance(DVec3::Y).y, Work { rays: texels, ..Work::default() })
+        (sunny.irradiance(DVec3::Y).y, WorkDone { rays: texels, ..WorkDone::default() })
     });
     let clouds = Sky::overcast(Rgb::splat(GROUND * 9.0 / (7.0 * PI)), DVec3::Y);
     let in_the_sun = contest(SUNNY, &sunny, rays).with(all);

@@ -3,7 +3,9 @@
 
 use crate::chart::patches::Patches;
 use crate::chart::race::{Race, contestants};
-use crate::chart::{Bench, Column, Contest, Method, Suite, Trial, Verdict, View, Work};
+use crate::chart::{
+    Bench, ChartView, Column, Contest, Method, Suite, Trial, Verdict, WorkDone,
+};
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::hemicube::Hemicube;
 use crate::form_factor::{Cached, FormFactors, Matrix};
@@ -18,7 +20,7 @@ pub const SUITE: Suite = Suite {
     about: "the race of the solvers; the first picture; patches against random walks",
     measure,
     views: &[
-        View {
+        ChartView {
             file: "solvers-time",
             title: "Processor time of each solver against the number of bounces",
             across: (Column::Setting, "1/(1 − ρ): how often light bounces"),
@@ -26,7 +28,7 @@ pub const SUITE: Suite = Suite {
             least: 0.0,
             shows: in_race,
         },
-        View {
+        ChartView {
             file: "solvers-work",
             title: "Transfers between elements against the number of bounces",
             across: (Column::Setting, "1/(1 − ρ): how often light bounces"),
@@ -34,7 +36,7 @@ pub const SUITE: Suite = Suite {
             least: 0.0,
             shows: in_race,
         },
-        View {
+        ChartView {
             file: "first-picture",
             title: "Relative error of the radiosity against the time since the start",
             across: (Column::Seconds, "CPU seconds since the start, factors included"),
@@ -42,7 +44,7 @@ pub const SUITE: Suite = Suite {
             least: 1e-3,
             shows: |t| t.scene == FIRST_PICTURE,
         },
-        View {
+        ChartView {
             file: "patches-or-walks",
             title: "Error of the patches' irradiance against processor time",
             across: (Column::Seconds, "CPU seconds"),
@@ -119,7 +121,12 @@ fn first_picture(bench: &Bench) -> Vec<Trial> {
     let work = |steps: f64, rows: usize| {
         let rows = rows as u64;
         let pixels = rows * 3 * u64::from(CELLS).pow(2);
-        Work { steps: steps as u64, factors: rows * n, pixels, ..Work::default() }
+        WorkDone {
+            steps: steps as u64,
+            factors: rows * n,
+            pixels,
+            ..WorkDone::default()
+        }
     };
     let (enclosure, cubes) = (&enclosure, &cubes);
     let shooting = |name: &str, shown: fn(&Shoot) -> Vec<Rgb>| {

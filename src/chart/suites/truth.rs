@@ -12,27 +12,27 @@ use crate::geometry::Rgb;
 
 /// What some pixels of a picture should show.
 #[derive(Debug)]
-pub struct Truth {
+pub struct PictureTruth {
     /// Which pixels.
     pixels: Vec<usize>,
     /// What they should show, W/(m² sr), twice.
     found: [Vec<Rgb>; 2],
 }
 
-impl Truth {
+impl PictureTruth {
     /// Of these pixels: `found` tells the radiance of each, once for each seed.
-    pub fn new(pixels: Vec<usize>, found: impl Fn(u64) -> Vec<Rgb>) -> Truth {
-        Truth { pixels, found: [1, 2].map(found) }
+    pub fn new(pixels: Vec<usize>, found: impl Fn(u64) -> Vec<Rgb>) -> PictureTruth {
+        PictureTruth { pixels, found: [1, 2].map(found) }
     }
 
     /// Two pictures by an unbiased method, looked at in some pixels.
-    pub fn of(pixels: Vec<usize>, picture: impl Fn(u64) -> Picture) -> Truth {
+    pub fn of(pixels: Vec<usize>, picture: impl Fn(u64) -> Picture) -> PictureTruth {
         let found = |seed| {
             let picture = picture(seed);
             pixels.iter().map(|&k| picture.pixels[k]).collect()
         };
         let found = [1, 2].map(found);
-        Truth { pixels, found }
+        PictureTruth { pixels, found }
     }
 
     /// Root mean square error over the pixels and channels, relative to the mean of the

@@ -6,7 +6,7 @@
 //! It has the shadow edges of the direct light. So it is linear across elements, not patches;
 //! a patch that is far away sends its linear part and the right mean.
 
-use super::patches::{BothSides, Patches};
+use super::patches::{BothSides, SmoothPatches};
 use crate::form_factor::linear::{CornerView, Slopes, sent};
 use crate::geometry::Rgb;
 use crate::mesh::{Backs, ElementId};
@@ -30,7 +30,7 @@ impl FirstBounce {
     /// light which comes straight from lamps.
     pub fn of(
         scene: &Scene,
-        patches: &Patches,
+        patches: &SmoothPatches,
         direct: &[Rgb],
         sums_lamps: bool,
     ) -> FirstBounce {
@@ -77,7 +77,7 @@ impl FirstBounce {
     }
 
     /// `B₁` at the point `x` of an element, without lamps.
-    pub fn at(&self, patches: &Patches, e: ElementId, x: DVec3) -> Rgb {
+    pub fn at(&self, patches: &SmoothPatches, e: ElementId, x: DVec3) -> Rgb {
         let mesh = patches.levels.elements();
         let element = mesh.element(e);
         let sides = [&self.direct.front, &self.direct.back];

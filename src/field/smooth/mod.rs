@@ -8,13 +8,13 @@
 //! Direct light has edges, but a formula. Reflected light has none, but is smooth. So
 //! they get a mesh each:
 //!
-//! 1. Patches of even size; the direct light on them, on elements split where it is not
+//! 1. SmoothPatches of even size; the direct light on them, on elements split where it is not
 //!    linear ([`Refinement`]), gives their means.
 //! 2. At every corner of a patch a hemicube tells what it sees of all patches and where
 //!    ([`Linear`](crate::form_factor::linear::Linear)): `O(m)` hemicubes instead of
 //!    `O(n)`. Cells that show a mirror or a pane send rays onwards. These rows make the
 //!    linear system; it is solved by fixed-point rounds that learn from one another.
-//! 3. Patches are split where the reflected light is not linear between their corners, and
+//! 3. SmoothPatches are split where the reflected light is not linear between their corners, and
 //!    hemicubes at the new corners ask the patches.
 //! 4. On that mesh once more the direct light, as finely as was asked for.
 //!
@@ -44,7 +44,7 @@ use system::System;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Smooth;
 
-/// Patches of a scene that is to be 1 % right.
+/// SmoothPatches of a scene that is to be 1 % right.
 const PATCHES: f64 = 400.0;
 
 /// The most patches: the work grows as their square.

@@ -29,7 +29,7 @@ impl BothSides {
 }
 
 /// The patches of a scene, divided into elements.
-pub(super) struct Patches<'a> {
+pub(super) struct SmoothPatches<'a> {
     pub levels: &'a TwoLevels<'a>,
     /// What is known of each patch.
     pub enclosure: Enclosure,
@@ -39,16 +39,16 @@ pub(super) struct Patches<'a> {
     pub hemicubes: Linear<'a>,
 }
 
-impl<'a> Patches<'a> {
+impl<'a> SmoothPatches<'a> {
     pub fn of(
         scene: &Scene,
         levels: &'a TwoLevels<'a>,
         hemicubes: Linear<'a>,
-    ) -> Patches<'a> {
+    ) -> SmoothPatches<'a> {
         let mesh = levels.patches();
         let translucence =
             mesh.elements.iter().map(|e| mesh.material(scene, e).translucence());
-        Patches {
+        SmoothPatches {
             levels,
             enclosure: Enclosure::of(scene, mesh),
             translucence: translucence.collect(),

@@ -8,7 +8,7 @@
 //! instead.
 
 use super::first_bounce::FirstBounce;
-use super::patches::Patches;
+use super::patches::SmoothPatches;
 use crate::form_factor::linear::{Followed, Moments};
 use crate::geometry::{Ray, Rgb};
 use crate::mesh::{ElementId, Mesh, PatchId};
@@ -108,7 +108,7 @@ impl<'a> SpecularTransport<'a> {
         &self,
         point: DVec3,
         cells: &[(DVec3, f64)],
-        patches: &Patches,
+        patches: &SmoothPatches,
         first: &FirstBounce,
     ) -> SpecularView {
         let mut seen = SpecularView::default();
@@ -140,7 +140,7 @@ impl<'a> SpecularTransport<'a> {
     fn add(
         &self,
         arrival: &Arrival,
-        patches: &Patches,
+        patches: &SmoothPatches,
         first: &FirstBounce,
         seen: &mut SpecularView,
     ) {

@@ -9,7 +9,7 @@
 
 use super::anderson::Anderson;
 use super::first_bounce::FirstBounce;
-use super::patches::{BothSides, Patches};
+use super::patches::{BothSides, SmoothPatches};
 use super::specular::{RgbMoments, SpecularTransport, SpecularView};
 use super::{INSIDE, MOST_ROUNDS};
 use crate::form_factor::linear::{Linear, Moments, Slopes, sent};
@@ -56,7 +56,7 @@ impl CornerRow {
 
 /// The linear system; the unknown is the reflected light at the corners of the patches.
 pub(super) struct System<'a> {
-    pub patches: Patches<'a>,
+    pub patches: SmoothPatches<'a>,
     pub direct: &'a Direct<'a>,
     first: FirstBounce,
     specular: SpecularTransport<'a>,
@@ -78,7 +78,7 @@ impl<'a> System<'a> {
     ) -> System<'a> {
         let followed = SpecularTransport::followed(scene, levels.patches());
         let hemicubes = Linear::new(levels, hemicube).following(followed);
-        let patches = Patches::of(scene, levels, hemicubes);
+        let patches = SmoothPatches::of(scene, levels, hemicubes);
         System {
             first: FirstBounce::of(scene, &patches, light, direct.sums_emitters()),
             specular: SpecularTransport::new(scene, levels.elements(), direct),

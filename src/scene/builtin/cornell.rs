@@ -4,7 +4,7 @@
 //! Box Data*; the box itself: Goral, Torrance, Greenberg & Battaile 1984. Reflectances are
 //! the measured spectra under D65, as linear sRGB (CIE 1931 2°, 400 to 700 nm).
 
-use super::Builder;
+use super::SceneBuilder;
 use crate::geometry::Rgb;
 use crate::material::Shine;
 use crate::scene::{Camera, MaterialId, Scene};
@@ -122,7 +122,7 @@ pub(super) fn with_pane() -> Scene {
 }
 
 /// The first `count` faces of the measured box, and what else there is.
-fn in_metres(name: &str, count: usize, more: impl FnOnce(&mut Builder)) -> Scene {
+fn in_metres(name: &str, count: usize, more: impl FnOnce(&mut SceneBuilder)) -> Scene {
     let camera = Camera {
         eye: dvec3(0.278, 0.273, -0.8),
         target: dvec3(0.278, 0.273, 0.2796),
@@ -156,8 +156,8 @@ fn cornell(
     (emission, reflectance): (Rgb, Rgb),
     quads: &[Quad],
     steps: f64,
-) -> Builder {
-    let mut builder = Builder::default();
+) -> SceneBuilder {
+    let mut builder = SceneBuilder::default();
     builder.material("white", Rgb::ZERO, white);
     builder.material("green", Rgb::ZERO, green);
     builder.material("red", Rgb::ZERO, red);

@@ -10,7 +10,7 @@
 //!               x = 0                       x = 6
 //! ```
 
-use super::{Builder, Hole};
+use super::{Hole, SceneBuilder};
 use crate::geometry::Rgb;
 use crate::material::Shine;
 use crate::scene::{Camera, MaterialId, Scene};
@@ -19,7 +19,7 @@ use glam::{DVec3, dvec3};
 
 /// All of it: 6 m × 5 m × 3 m.
 pub(super) fn gallery() -> Scene {
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     shell(&mut builder);
     ball_and_vitrine(&mut builder);
     screen(&mut builder);
@@ -34,7 +34,7 @@ pub(super) fn gallery() -> Scene {
 }
 
 /// Floor, ceiling and walls with what hangs on them.
-fn shell(builder: &mut Builder) {
+fn shell(builder: &mut SceneBuilder) {
     let white = builder.material("white", Rgb::ZERO, Rgb::new(0.78, 0.76, 0.73));
     let red = builder.material("red", Rgb::ZERO, Rgb::new(0.58, 0.13, 0.11));
     let lamp = builder.material("lamp", Rgb::new(95.0, 82.0, 62.0), Rgb::splat(0.5));
@@ -73,13 +73,18 @@ fn shell(builder: &mut Builder) {
 }
 
 /// A rectangle in the wall at `z = 0`, which it covers.
-fn on_far_wall(builder: &mut Builder, material: MaterialId, x: [f64; 2], y: [f64; 2]) {
+fn on_far_wall(
+    builder: &mut SceneBuilder,
+    material: MaterialId,
+    x: [f64; 2],
+    y: [f64; 2],
+) {
     let corners = [(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])];
     builder.face(material, &corners.map(|(x, y)| dvec3(x, y, 0.0)));
 }
 
 /// A ball of glass on a plinth, and a cube that stands in a vitrine of three panes.
-fn ball_and_vitrine(builder: &mut Builder) {
+fn ball_and_vitrine(builder: &mut SceneBuilder) {
     let stone = builder.material("stone", Rgb::ZERO, Rgb::splat(0.7));
     let green = builder.material("green", Rgb::ZERO, Rgb::new(0.12, 0.45, 0.20));
     let round = Shine::Glass { index: 1.5, tint: Rgb::ONE };
@@ -105,7 +110,7 @@ fn square(x: f64, z: f64, half: f64) -> [(f64, f64); 4] {
 }
 
 /// A paper screen in two leaves, and a lamp on a stand behind it.
-fn screen(builder: &mut Builder) {
+fn screen(builder: &mut SceneBuilder) {
     let glow = Rgb::new(110.0, 80.0, 44.0);
     let lamp = builder.material("lantern", glow, Rgb::splat(0.5));
     let through = Rgb::new(0.42, 0.38, 0.28);

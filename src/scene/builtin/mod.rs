@@ -186,12 +186,12 @@ type Corner = (f64, f64);
 
 /// Faces and materials as they are put together, one call a face.
 #[derive(Default)]
-struct Builder {
+struct SceneBuilder {
     materials: Vec<Material>,
     faces: Vec<Face>,
 }
 
-impl Builder {
+impl SceneBuilder {
     fn material(&mut self, name: &str, emission: Rgb, diffuse: Rgb) -> MaterialId {
         self.materials.push(material(name, emission, diffuse));
         MaterialId(self.materials.len() as u32 - 1)

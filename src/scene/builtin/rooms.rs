@@ -1,6 +1,6 @@
 //! Rooms made for one question each.
 
-use super::Builder;
+use super::SceneBuilder;
 use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material};
 use crate::scene::{Camera, Scene};
@@ -20,7 +20,7 @@ pub(super) fn furnace(rho: f64) -> Option<Scene> {
         ..Default::default()
     };
     Material::new("glowing", coefficients).ok()?;
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     let glowing = builder.material("glowing", Rgb::ONE, Rgb::splat(rho));
     let plan = [(0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0)];
     builder.room(&plan, 1.0, [glowing, glowing], &[glowing; 4]);
@@ -38,7 +38,7 @@ pub(super) fn furnace(rho: f64) -> Option<Scene> {
 ///
 /// The factor between them is 0.199825 (Siegel & Howell); all other light escapes.
 pub(super) fn facing_squares() -> Scene {
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     let lamp = builder.material("lamp", Rgb::ONE, Rgb::splat(0.5));
     let grey = builder.material("grey", Rgb::ZERO, Rgb::splat(0.5));
     let (o, x, y, z) = (DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z);
@@ -58,7 +58,7 @@ pub(super) fn facing_squares() -> Scene {
 /// Floor and ceiling have six corners and are not convex; the ceiling is cut around the
 /// lamp as well. The far end of the other leg sees the lamp not at all.
 pub(super) fn l_room() -> Scene {
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     let white = builder.material("white", Rgb::ZERO, OFF_WHITE);
     let wood = builder.material("wood", Rgb::ZERO, WOOD);
     let blue = builder.material("blue", Rgb::ZERO, Rgb::new(0.20, 0.32, 0.55));
@@ -87,7 +87,7 @@ pub(super) fn l_room() -> Scene {
 /// The lamp hangs on the far side of the partition and looks away from the main part,
 /// which lies wholly behind the lamp's plane: no light comes there but by reflection.
 pub(super) fn indirect_room() -> Scene {
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     let white = builder.material("white", Rgb::ZERO, OFF_WHITE);
     let wood = builder.material("wood", Rgb::ZERO, WOOD);
     let rose = builder.material("rose", Rgb::ZERO, Rgb::new(0.80, 0.58, 0.52));

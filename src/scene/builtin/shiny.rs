@@ -1,6 +1,6 @@
 //! Rooms with mirrors, panes, gloss, paper and glass, and rooms that the sky lights.
 
-use super::{Builder, Hole};
+use super::{Hole, SceneBuilder};
 use crate::geometry::Rgb;
 use crate::material::Shine;
 use crate::scene::{Camera, Scene};
@@ -30,7 +30,7 @@ fn panel(x: [f64; 2], y: f64, z: [f64; 2]) -> [DVec3; 4] {
 
 /// A closed room, 4 m × 3 m × 2.6 m, whose wall at `z = 0` is a perfect mirror.
 pub(super) fn mirror_room() -> Scene {
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     let white = builder.material("white", Rgb::ZERO, OFF_WHITE);
     let wood = builder.material("wood", Rgb::ZERO, WOOD);
     let red = builder.material("red", Rgb::ZERO, RED);
@@ -48,7 +48,7 @@ pub(super) fn mirror_room() -> Scene {
 
 /// A corridor 2 m wide between two mirrors that keep nine tenths, its lamp overhead.
 pub(super) fn mirror_corridor() -> Scene {
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     let white = builder.material("white", Rgb::ZERO, OFF_WHITE);
     let wood = builder.material("wood", Rgb::ZERO, WOOD);
     let blue = builder.material("blue", Rgb::ZERO, BLUE);
@@ -66,7 +66,7 @@ pub(super) fn mirror_corridor() -> Scene {
 
 /// A room of 5 m × 4 m × 2.8 m with a window of 2.4 m × 1.5 m; `glass` in it, if any.
 fn daylight(name: &str, sky: Sky, glass: Option<Shine>, camera: Camera) -> Scene {
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     let white = builder.material("white", Rgb::ZERO, OFF_WHITE);
     let wood = builder.material("wood", Rgb::ZERO, WOOD);
     let green = builder.material("green", Rgb::ZERO, GREEN);
@@ -106,7 +106,7 @@ pub(super) fn sky_room() -> Scene {
 ///
 /// Before the screen it is lit by what comes through the paper, and round its edges.
 pub(super) fn translucent_screen() -> Scene {
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     let white = builder.material("white", Rgb::ZERO, OFF_WHITE);
     let wood = builder.material("wood", Rgb::ZERO, WOOD);
     let rose = builder.material("rose", Rgb::ZERO, Rgb::new(0.80, 0.58, 0.52));
@@ -127,7 +127,7 @@ pub(super) fn translucent_screen() -> Scene {
 
 /// A room of 4 m × 4 m × 2.6 m with a polished floor; a lamp glows low on its far wall.
 pub(super) fn glossy_floor() -> Scene {
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     let white = builder.material("white", Rgb::ZERO, OFF_WHITE);
     let red = builder.material("red", Rgb::ZERO, RED);
     let blue = builder.material("blue", Rgb::ZERO, BLUE);
@@ -148,7 +148,7 @@ pub(super) fn glossy_floor() -> Scene {
 
 /// A room of 2 m × 2 m × 2 m with a ball of glass, of 288 faces, below a small lamp.
 pub(super) fn glass_ball() -> Scene {
-    let mut builder = Builder::default();
+    let mut builder = SceneBuilder::default();
     let white = builder.material("white", Rgb::ZERO, OFF_WHITE);
     let red = builder.material("red", Rgb::ZERO, RED);
     let green = builder.material("green", Rgb::ZERO, GREEN);

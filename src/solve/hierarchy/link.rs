@@ -1,7 +1,7 @@
 //! Links: from where a node gathers, and how far that may be wrong.
 
 use super::tree::{Forest, Node, NodeId};
-use crate::form_factor::{Glance, Sight, glance};
+use crate::form_factor::{Glance, Obstruction, glance};
 use crate::geometry::Rgb;
 use crate::occlusion::Blockers;
 use glam::{DMat3, DVec3, Vec3};
@@ -14,7 +14,7 @@ pub struct Link {
     /// The form factor from the receiver to the source.
     pub factor: f64,
     /// May something stand between?
-    pub sight: Sight,
+    pub sight: Obstruction,
     /// How fast the factor grows along the receiver, in 1/scene units.
     slope: Vec3,
     /// How far it is from growing so evenly.
@@ -31,11 +31,11 @@ impl Link {
         receiver: &Node,
         (source, at): (NodeId, &Node),
         scene: &Blockers,
-        sight: Sight,
+        sight: Obstruction,
     ) -> Option<Link> {
         let Glance { mean, slope, bend, sight, .. } =
             glance(&receiver.polygon, &at.polygon, scene, sight);
-        (sight != Sight::Hidden).then_some(Link {
+        (sight != Obstruction::Hidden).then_some(Link {
             source,
             factor: mean,
             sight,

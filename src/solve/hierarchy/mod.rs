@@ -39,7 +39,7 @@ pub use options::HierarchyOptions;
 pub use tree::{Forest, Node, NodeId};
 
 use super::{Enclosure, Ledger, error_bound};
-use crate::form_factor::Sight;
+use crate::form_factor::Obstruction;
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
 use crate::occlusion::Blockers;
@@ -129,8 +129,9 @@ impl Hierarchy {
         let roots = forest.roots as u32;
         let mut hierarchy =
             Hierarchy { forest, blockers, options, steps: 0, residual: 0.0 };
-        let pairs =
-            |p: u32| (0..roots).map(move |q| (NodeId(p), NodeId(q), Sight::Partial));
+        let pairs = |p: u32| {
+            (0..roots).map(move |q| (NodeId(p), NodeId(q), Obstruction::Partial))
+        };
         for p in 0..roots {
             let links = hierarchy.linked(pairs(p).collect());
             hierarchy.forest.nodes[p as usize].links =
@@ -155,8 +156,8 @@ impl Hierarchy {
     }
 
     /// Links for these receivers and sources, where they see each other, in order.
-    fn linked(&self, pairs: Vec<(NodeId, NodeId, Sight)>) -> Vec<(NodeId, Link)> {
-        let link = |(p, q, sight): (NodeId, NodeId, Sight)| {
+    fn linked(&self, pairs: Vec<(NodeId, NodeId, Obstruction)>) -> Vec<(NodeId, Link)> {
+        let link = |(p, q, sight): (NodeId, NodeId, Obstruction)| {
             let (receiver, source) = (self.forest.node(p), self.forest.node(q));
             let link = Link::between(receiver, (q, source), &self.blockers, sight)?;
             Some((p, link))
@@ -218,7 +219,7 @@ impl Hierarchy {
         p: NodeId,
         link: &Link,
         verdict: Verdict,
-        pairs: &mut Vec<(NodeId, NodeId, Sight)>,
+        pairs: &mut Vec<(NodeId, NodeId, Obstruction)>,
     ) {
         let (q, sight) = (link.source, link.sight);
         let children = |id: NodeId| self.forest.node(id).children.clone().map(NodeId);

@@ -37,9 +37,9 @@ pub struct Node {
     pub(super) reflectance: Rgb,
 }
 
-/// Light at the nodes, all in W/m².
+/// NodeLight at the nodes, all in W/m².
 #[derive(Clone, Debug, Default)]
-pub(super) struct Light {
+pub(super) struct NodeLight {
     /// `B`, the mean over the elements below.
     pub radiosity: Vec<Rgb>,
     /// The mean of `B²` over the elements below.
@@ -58,7 +58,7 @@ pub struct Forest {
     /// How many trees.
     pub roots: usize,
     pub(super) leaves: usize,
-    pub(super) light: Light,
+    pub(super) light: NodeLight,
 }
 
 impl Forest {
@@ -81,7 +81,7 @@ impl Forest {
         };
         let nodes: Vec<Node> = whole.elements.iter().map(root).collect();
         let emission = || nodes.iter().map(|n| n.emission);
-        let light = Light {
+        let light = NodeLight {
             radiosity: emission().collect(),
             square: emission().map(|e| e * e).collect(),
             irradiance: vec![Rgb::ZERO; nodes.len()],
@@ -149,7 +149,7 @@ impl Forest {
     // ANCHOR: push
     /// Down: what arrives at a node arrives at all its elements, here less, there more.
     pub(super) fn push(&mut self) {
-        let Light { irradiance, slope, .. } = &mut self.light;
+        let NodeLight { irradiance, slope, .. } = &mut self.light;
         for (k, node) in self.nodes.iter().enumerate() {
             let (mean, grows) = (irradiance[k], slope[k]);
             for c in node.children.clone().map(|c| c as usize) {
@@ -164,7 +164,7 @@ impl Forest {
     /// Elements reflect; and up: the radiosity of a node is the mean of its children's,
     /// by area.
     pub(super) fn pull(&mut self) {
-        let Light { radiosity, square, irradiance, .. } = &mut self.light;
+        let NodeLight { radiosity, square, irradiance, .. } = &mut self.light;
         for (k, node) in self.nodes.iter().enumerate().rev() {
             if node.is_leaf() {
                 radiosity[k] = node.reflected(irradiance[k]);

@@ -38,13 +38,13 @@ pub struct Estimate {
 
 /// Samples of light by class: sums, and sums of squares.
 #[derive(Clone, Copy)]
-struct Sums {
+struct PathSums {
     all: (Rgb, Rgb),
     classes: [(Rgb, Rgb); CLASSES],
 }
 
-impl Sums {
-    const NONE: Sums = Sums {
+impl PathSums {
+    const NONE: PathSums = PathSums {
         all: (Rgb::ZERO, Rgb::ZERO),
         classes: [(Rgb::ZERO, Rgb::ZERO); CLASSES],
     };
@@ -53,8 +53,8 @@ impl Sums {
     fn of(
         count: usize,
         mut sample: impl FnMut(usize, &mut dyn FnMut(Class, Rgb)),
-    ) -> Sums {
-        let mut sums = Sums::NONE;
+    ) -> PathSums {
+        let mut sums = PathSums::NONE;
         for k in 0..count {
             let mut found = [Rgb::ZERO; CLASSES];
             sample(k, &mut |class, light| found[class.index()] += light);
@@ -71,18 +71,18 @@ impl Sums {
     }
 
     /// Means, and the squares of their standard errors.
-    fn means(&self, count: usize) -> Sums {
+    fn means(&self, count: usize) -> PathSums {
         let n = count as f64;
         let mean = |(sum, squares): (Rgb, Rgb)| {
             let mean = sum / n;
             let spread = (squares / n - mean * mean).max(Rgb::ZERO);
             (mean, spread / (n - 1.0).max(1.0))
         };
-        Sums { all: mean(self.all), classes: self.classes.map(mean) }
+        PathSums { all: mean(self.all), classes: self.classes.map(mean) }
     }
 
     /// The sum of two that are independent.
-    fn plus(mut self, other: &Sums) -> Sums {
+    fn plus(mut self, other: &PathSums) -> PathSums {
         let add = |a: &mut (Rgb, Rgb), b: (Rgb, Rgb)| *a = (a.0 + b.0, a.1 + b.1);
         add(&mut self.all, other.all);
         for (a, &b) in self.classes.iter_mut().zip(&other.classes) {
@@ -133,19 +133,19 @@ impl PathTracer<'_> {
                 let ray = Ray { origin: view.eye(), direction };
                 self.radiance_by_class(ray, &mut random, tally);
             };
-            Sums::of(samples, sample).means(samples)
+            PathSums::of(samples, sample).means(samples)
         };
         // ANCHOR_END: pixel
         let done = AtomicUsize::new(0);
-        let row = |y: u32| -> Vec<Sums> {
+        let row = |y: u32| -> Vec<PathSums> {
             let row = (0..width).map(|x| pixel(x, y)).collect();
             let rows = done.fetch_add(1, Ordering::Relaxed) + 1;
             progress("tracing paths", rows, height as usize);
             row
         };
-        let rows: Vec<Vec<Sums>> = (0..height).into_par_iter().map(row).collect();
+        let rows: Vec<Vec<PathSums>> = (0..height).into_par_iter().map(row).collect();
         let pixels = || rows.iter().flatten();
-        let sums = pixels().fold(Sums::NONE, Sums::plus);
+        let sums = pixels().fold(PathSums::NONE, PathSums::plus);
         let count = width as usize * height as usize;
         Traced {
             picture: Picture {
@@ -213,15 +213,15 @@ impl PathTracer<'_> {
         let lot = |lot: usize| {
             let name = [surfaces[0].0.into(), lot as u64];
             let mut random = Stream::named(seed, &name);
-            Sums::of(LOT, |_, tally| {
+            PathSums::of(LOT, |_, tally| {
                 let surface = pick(&mut random);
                 let x = point(surface, &mut random);
                 self.irradiance_by_class((surface, x), &mut random, tally);
             })
         };
-        let lots: Vec<Sums> = (0..lots).into_par_iter().map(lot).collect();
+        let lots: Vec<PathSums> = (0..lots).into_par_iter().map(lot).collect();
         let count = (lots.len() * LOT).max(2);
-        let means = lots.iter().fold(Sums::NONE, Sums::plus).means(count);
+        let means = lots.iter().fold(PathSums::NONE, PathSums::plus).means(count);
         let (mean, squared) = means.all;
         let classes = means.table(1);
         Estimate { mean, error: squared.map(f64::sqrt), classes }

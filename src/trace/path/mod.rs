@@ -59,7 +59,7 @@ pub struct PathTracer<'s> {
 }
 
 /// What is called for each contribution, in W/(m² sr).
-type Tally<'t> = &'t mut dyn FnMut(Class, Rgb);
+type PathTally<'t> = &'t mut dyn FnMut(Class, Rgb);
 
 /// A path so far.
 struct Walk {
@@ -124,7 +124,7 @@ impl<'s> PathTracer<'s> {
     }
 
     /// The same, with each path's share handed to `tally` under its class.
-    pub fn radiance_by_class(&self, ray: Ray, random: &mut Stream, tally: Tally) {
+    pub fn radiance_by_class(&self, ray: Ray, random: &mut Stream, tally: PathTally) {
         let walk = Walk {
             ray,
             leaving: None,
@@ -144,7 +144,7 @@ impl<'s> PathTracer<'s> {
         &self,
         (surface, x): (u32, DVec3),
         random: &mut Stream,
-        tally: Tally,
+        tally: PathTally,
     ) {
         let normal = self.scene.surfaces[surface as usize].polygon.normal();
         let mut walk = Walk {
@@ -163,13 +163,13 @@ impl<'s> PathTracer<'s> {
         }
     }
 
-    fn trace(&self, mut walk: Walk, random: &mut Stream, tally: Tally) {
+    fn trace(&self, mut walk: Walk, random: &mut Stream, tally: PathTally) {
         while self.step(&mut walk, random, tally) && survives(&mut walk, random) {}
     }
 
     // ANCHOR: step
     /// To the next surface and away from it; false where the path ends.
-    fn step(&self, walk: &mut Walk, random: &mut Stream, tally: Tally) -> bool {
+    fn step(&self, walk: &mut Walk, random: &mut Stream, tally: PathTally) -> bool {
         let Some(hit) = self.visibility.closest(&walk.ray, walk.leaving) else {
             self.meet_sky(walk, tally);
             return false;
@@ -200,7 +200,7 @@ impl<'s> PathTracer<'s> {
         true
     }
 
-    fn meet_sky(&self, walk: &Walk, tally: Tally) {
+    fn meet_sky(&self, walk: &Walk, tally: PathTally) {
         let Some(sky) = &self.scene.sky else { return };
         let direction = walk.ray.direction;
         let share =
@@ -209,7 +209,7 @@ impl<'s> PathTracer<'s> {
         tally(walk.word.class(), weight * sky.radiance(direction));
     }
 
-    fn meet_lamp(&self, walk: &Walk, met: &Meeting, tally: Tally) {
+    fn meet_lamp(&self, walk: &Walk, met: &Meeting, tally: PathTally) {
         if met.front && met.material.emits() {
             let share = self.share_of_lobe(walk, |from| {
                 self.lamps.pdf_of_lamp(self.scene, met.surface, from, met.point)
@@ -238,7 +238,7 @@ impl<'s> PathTracer<'s> {
         walk: &mut Walk,
         (lobe, frame, wo): (Lobe, &Frame, DVec3),
         random: &mut Stream,
-        tally: Tally,
+        tally: PathTally,
     ) -> bool {
         let x = walk.ray.origin;
         if self.strategy != Strategy::Lobes

@@ -13,6 +13,7 @@ use crate::visibility::Visibility;
 use crate::ways::{Arrival, Branching, Met, Specular};
 use glam::DVec3;
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// What is known at one point.
@@ -45,6 +46,13 @@ pub(super) struct Gathering<'a> {
     sampling: Sampling,
     rays: Specular<'a>,
     direct: &'a Direct<'a>,
+}
+
+/// A side of a surface on which light is gathered.
+struct ScatteringSide<'p> {
+    polygon: Cow<'p, Polygon>,
+    /// `ρ` of a front, `τ` of a back.
+    share: Rgb,
 }
 
 /// What one gather finds.
@@ -91,14 +99,19 @@ impl<'a> Gathering<'a> {
         let (which, x) = self.strata.point_at(h, place);
         let piece = &self.strata.pieces[which as usize];
         let material = self.material(which);
-        let (front, rho) = (&piece.polygon, material.diffuse());
+        let front = Cow::Borrowed(&piece.polygon);
+        let front = ScatteringSide { polygon: front, share: material.diffuse() };
         // A sheet that lets light through diffusely gathers on both its sides.
-        let behind = Some((front.flipped(), material.translucence()));
-        let behind = behind.filter(|(_, tau)| *tau != Rgb::ZERO);
-        let mut direct = rho * self.direct.on(front).irradiance(x);
-        if let Some((back, tau)) = &behind {
-            direct += *tau * self.direct.on(back).irradiance(x);
-        }
+        let behind = Some(material.translucence()).filter(|tau| *tau != Rgb::ZERO);
+        let behind = behind.map(|share| {
+            let polygon = Cow::Owned(piece.polygon.flipped());
+            ScatteringSide { polygon, share }
+        });
+        let sides = || [&front].into_iter().chain(&behind);
+        let direct = |side: &ScatteringSide| {
+            side.share * self.direct.on(&side.polygon).irradiance(x)
+        };
+        let direct: Rgb = sides().map(direct).sum();
         let e = material.emission();
         let b = (self.field.radiosity)(ElementId(piece.element), x);
         // ANCHOR: residual
@@ -106,9 +119,8 @@ impl<'a> Gathering<'a> {
             let name = [h as u64, k as u64, set];
             let mut random = Stream::named(self.sampling.seed, &name);
             let mut found = Found::default();
-            self.indirect(front, x, rho, &mut random, &mut found);
-            if let Some((back, tau)) = &behind {
-                self.indirect(back, x, *tau, &mut random, &mut found);
+            for side in sides() {
+                self.indirect(side, x, &mut random, &mut found);
             }
             found
         };
@@ -124,21 +136,20 @@ impl<'a> Gathering<'a> {
         }
     }
 
-    /// Light that arrives at `x` on this side, times `rho`, but for what is summed as
-    /// direct; and from which strata.
+    /// Light that arrives at `x` on this side, times what the side scatters of it, but for
+    /// what is summed as direct; and from which strata.
     fn indirect(
         &self,
-        from: &Polygon,
+        side: &ScatteringSide,
         x: DVec3,
-        rho: Rgb,
         random: &mut Stream,
         found: &mut Found,
     ) {
-        let frame = Frame::about(from.normal());
-        let share = rho / self.sampling.rays as f64;
+        let frame = Frame::about(side.polygon.normal());
+        let share = side.share / self.sampling.rays as f64;
         let directions: Vec<[f64; 2]> = random.points(self.sampling.rays).collect();
         for [c, d] in directions {
-            let mut ray = ray_from(from, &frame, [0.0, 0.0, c, d]);
+            let mut ray = ray_from(&side.polygon, &frame, [0.0, 0.0, c, d]);
             ray.origin = x;
             let how = Branching::One;
             self.rays.follow((ray, None), how, random, &mut |arrival| {

@@ -37,8 +37,7 @@ impl Along {
     /// By a tree of rays that begins with this one.
     pub(super) fn of(tree: &Tree, ray: &Ray, seed: u64, shade: Shade) -> Along {
         let mut tally = Tally { seed, ..Tally::default() };
-        let from = (ray, None);
-        let radiance = tree.arriving(from, &Journey::start(), &mut tally, shade);
+        let radiance = tree.arriving(ray, &Journey::start(), &mut tally, shade);
         Along { radiance, rays: tally.rays, cut: tally.cut }
     }
 }
@@ -53,14 +52,19 @@ pub(super) enum First<'t> {
     Dark,
 }
 
-/// The picture of a shot: `radiance` of what each sample sees of `mesh`.
+/// What is looked at.
+pub(super) struct Looked<'t, 's> {
+    pub tree: &'t Tree<'s>,
+    pub mesh: &'t Mesh,
+    pub seed: u64,
+}
+
+/// The picture of a shot: `radiance` of what each sample sees of a mesh.
 ///
 /// Deterministic: the same at any number of threads.
 pub(super) fn expose(
     shot: &Shot,
-    tree: &Tree,
-    mesh: &Mesh,
-    seed: u64,
+    &Looked { tree, mesh, seed }: &Looked,
     radiance: &(dyn Fn(&First, &mut Tally) -> Rgb + Sync),
     progress: Progress,
 ) -> Shown {

@@ -40,6 +40,7 @@ impl Default for Gloss {
 /// Gloss met by a ray.
 pub(super) struct Glossy<'s> {
     at: Meeting<'s>,
+    how: Gloss,
     /// `Ks`.
     reflectance: Rgb,
     exponent: f64,
@@ -47,9 +48,9 @@ pub(super) struct Glossy<'s> {
 
 impl<'s> Glossy<'s> {
     /// The gloss of what was met, if it has any.
-    pub(super) fn of(at: &Meeting<'s>) -> Option<Glossy<'s>> {
+    pub(super) fn of(at: &Meeting<'s>, how: Gloss) -> Option<Glossy<'s>> {
         let (reflectance, exponent) = at.material.shine().gloss()?;
-        Some(Glossy { at: *at, reflectance, exponent })
+        Some(Glossy { at: *at, how, reflectance, exponent })
     }
 
     /// The middle of the lobe.
@@ -68,9 +69,9 @@ impl<'s> Glossy<'s> {
     /// ```text
     /// L = Ks (n + 2)/2π Σ_lamps E/π · mean of Ω⊥(lamp ∩ cone) over the stack
     /// ```
-    pub(super) fn of_lamps(&self, lamps: &Lamps, how: &Gloss, offset: f64) -> Rgb {
+    pub(super) fn of_lamps(&self, lamps: &Lamps, offset: f64) -> Rgb {
         // ANCHOR: of_lamps
-        let (cones, counts) = self.cones(how, offset);
+        let (cones, counts) = self.cones(offset);
         let mut sum = Rgb::ZERO;
         for (radiance, pieces) in lamps.seen_from(self.at.surface, self.at.point) {
             let overlaps = pieces.iter().flat_map(|piece| {
@@ -87,8 +88,8 @@ impl<'s> Glossy<'s> {
     /// The cones that stand for the lobe, and what radiance counts in each for every
     /// steradian of projected solid angle.
     // ANCHOR: cones
-    fn cones(&self, how: &Gloss, offset: f64) -> (Vec<Cone>, Rgb) {
-        match how.lobe {
+    fn cones(&self, offset: f64) -> (Vec<Cone>, Rgb) {
+        match self.how.lobe {
             LobeAs::OneCone(share) => {
                 let cone = Cone::holding(share, self.exponent, self.axis());
                 let all = cone.projected_solid_angle(self.at.normal);
@@ -106,9 +107,9 @@ impl<'s> Glossy<'s> {
 
     /// A direction of the lobe from a point of the unit square, and what radiance from
     /// there counts; `None` below the horizon.
-    fn direction(&self, how: &Gloss, u: [f64; 2]) -> Option<(DVec3, Rgb)> {
+    fn direction(&self, u: [f64; 2]) -> Option<(DVec3, Rgb)> {
         let u = dvec2(u[0], u[1]);
-        if let LobeAs::OneCone(share) = how.lobe {
+        if let LobeAs::OneCone(share) = self.how.lobe {
             let cone = Cone::holding(share, self.exponent, self.axis());
             let cosine = 1.0 - u.x * (1.0 - cone.half_angle.cos());
             let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
@@ -132,26 +133,24 @@ impl<'s> Glossy<'s> {
     // ANCHOR: by_rays
     pub(super) fn by_rays(
         &self,
-        how: &Gloss,
-        (tree, lamps_are_counted): (&Tree, bool),
+        tree: &Tree,
         journey: &Journey,
         tally: &mut Tally,
         shade: Shade,
     ) -> Rgb {
         let importance = journey.weight.max_element().min(1.0);
-        let rays = (how.rays as f64 * importance).ceil().max(1.0) as usize;
+        let rays = (self.how.rays as f64 * importance).ceil().max(1.0) as usize;
         let one = Journey { one_of: journey.one_of * rays as f64, ..journey.clone() };
         let mut sum = Rgb::ZERO;
         for u in tally.points(rays) {
-            let Some((direction, counts)) = self.direction(how, u) else { continue };
+            let Some((direction, counts)) = self.direction(u) else { continue };
             let share = counts / rays as f64;
-            let on = tree.sent_on(&one, share, journey.media.clone(), tally);
-            let Some(on) = on.map(|on| Journey { lamps_are_counted, ..on }) else {
+            let Some(mut on) = tree.sent_on(&self.at, &one, share, tally) else {
                 continue;
             };
+            on.lamps_are_counted = tree.lamps_are_counted;
             let ray = Ray { origin: self.at.point, direction };
-            let from = (&ray, Some(self.at.surface));
-            sum += share * tree.arriving(from, &on, tally, shade);
+            sum += share * tree.arriving(&ray, &on, tally, shade);
         }
         sum
     }

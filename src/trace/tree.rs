@@ -37,6 +37,8 @@ pub(super) struct Journey {
     pub depth: u32,
     /// The solids that it is in.
     pub media: Media,
+    /// The surface that it starts from, which it does not meet.
+    pub leaving: Option<u32>,
     /// Are lamps that it meets next dark, because their light is counted already?
     pub lamps_are_counted: bool,
 }
@@ -44,8 +46,14 @@ pub(super) struct Journey {
 impl Journey {
     /// That of a ray from the eye.
     pub(super) fn start() -> Journey {
-        let (weight, one_of, media) = (Rgb::ONE, 1.0, Media::default());
-        Journey { weight, one_of, depth: 0, media, lamps_are_counted: false }
+        Journey {
+            weight: Rgb::ONE,
+            one_of: 1.0,
+            depth: 0,
+            media: Media::default(),
+            leaving: None,
+            lamps_are_counted: false,
+        }
     }
 }
 
@@ -95,6 +103,9 @@ pub(super) struct Tree<'s> {
     pub visibility: Arc<Visibility>,
     pub solids: Arc<Solids>,
     pub limits: Limits,
+    /// Are lamps summed exactly where light is scattered, so that scattered rays that meet
+    /// them next find them dark?
+    pub lamps_are_counted: bool,
 }
 
 /// What a surface sends along a ray without mirroring or passing any: its diffuse light,
@@ -104,7 +115,8 @@ pub(super) type Shade<'a> = &'a dyn Fn(&Meeting, &Journey, &mut Tally) -> Rgb;
 impl<'s> Tree<'s> {
     pub(super) fn of(room: &Room<'s>, limits: Limits) -> Tree<'s> {
         let (visibility, solids) = (room.visibility().clone(), room.solids().clone());
-        Tree { scene: room.scene, visibility, solids, limits }
+        let lamps_are_counted = false;
+        Tree { scene: room.scene, visibility, solids, limits, lamps_are_counted }
     }
 
     pub(super) fn material(&self, surface: u32) -> &'s Material {
@@ -114,14 +126,14 @@ impl<'s> Tree<'s> {
     /// The radiance, W/(m² sr), that comes against a ray.
     pub(super) fn arriving(
         &self,
-        (ray, leaving): (&Ray, Option<u32>),
+        ray: &Ray,
         journey: &Journey,
         tally: &mut Tally,
         shade: Shade,
     ) -> Rgb {
         // ANCHOR: arriving
         tally.rays += 1;
-        let Some(hit) = self.visibility.closest(ray, leaving) else {
+        let Some(hit) = self.visibility.closest(ray, journey.leaving) else {
             return self.sky(ray.direction);
         };
         let at = Meeting::of(self.scene, &self.solids, ray, &hit);
@@ -147,34 +159,35 @@ impl<'s> Tree<'s> {
         let mut media = journey.media.clone();
         for way in ways(at, &mut media) {
             let Some(direction) = way.from(at.direction) else { continue };
-            let media = if way.crosses { at.beyond(&media) } else { media.clone() };
-            let Some(on) = self.sent_on(journey, way.share, media, tally) else {
+            let Some(mut on) = self.sent_on(at, journey, way.share, tally) else {
                 continue;
             };
-            let from = (&Ray { origin: at.point, direction }, Some(at.surface));
-            sum += way.denser * way.share * self.arriving(from, &on, tally, shade);
+            on.media = if way.crosses { at.beyond(&media) } else { media.clone() };
+            let ray = Ray { origin: at.point, direction };
+            sum += way.denser * way.share * self.arriving(&ray, &on, tally, shade);
         }
         sum
         // ANCHOR_END: leaving
     }
 
-    /// The journey after a bounce that keeps this share, unless it is cut.
+    /// The journey after a bounce that keeps this share, unless it is cut; in the same media.
     pub(super) fn sent_on(
         &self,
+        at: &Meeting,
         journey: &Journey,
         share: Rgb,
-        media: Media,
         tally: &mut Tally,
     ) -> Option<Journey> {
         // ANCHOR: sent_on
         let (weight, depth) = (journey.weight * share, journey.depth + 1);
-        let one_of = journey.one_of;
-        let faint = one_of * weight.max_element() < self.limits.weight;
+        let faint = journey.one_of * weight.max_element() < self.limits.weight;
         if faint || depth > self.limits.depth {
             tally.cut += weight;
             return None;
         }
-        Some(Journey { weight, one_of, depth, media, lamps_are_counted: false })
+        let leaving = Some(at.surface);
+        let on = Journey { weight, depth, leaving, ..journey.clone() };
+        Some(Journey { lamps_are_counted: false, ..on })
         // ANCHOR_END: sent_on
     }
 }

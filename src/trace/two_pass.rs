@@ -1,7 +1,7 @@
 //! The second of two passes: diffuse light is known, what shines is followed.
 
-use super::expose::{Along, First, Shown, expose, followed};
-use super::gather::gathered;
+use super::expose::{Along, First, Looked, Shown, expose, followed};
+use super::gather::{FinalGather, Gathered};
 use super::gloss::{Gloss, Glossy};
 use super::lamps::{Lamps, Panes};
 use super::locate::Locate;
@@ -13,7 +13,6 @@ use crate::mesh::Mesh;
 use crate::room::Room;
 use crate::ways::Meeting;
 use crate::work::Progress;
-use glam::DVec3;
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -80,7 +79,9 @@ impl<'s> TwoPass<'s> {
             options.gather > 0 || m.shine().gloss().is_some()
         };
         let lamps = Lamps::of(scene, Panes::Block, asks);
-        let (tree, locate) = (Tree::of(room, options.limits), Locate::of(scene, mesh));
+        let locate = Locate::of(scene, mesh);
+        let lamps_are_counted = lamps.are_counted();
+        let tree = Tree { lamps_are_counted, ..Tree::of(room, options.limits) };
         TwoPass { tree, mesh, radiosity, locate, lamps, options }
     }
 
@@ -100,7 +101,8 @@ impl<'s> TwoPass<'s> {
                 self.shade(at, journey, tally)
             }),
         };
-        expose(shot, &self.tree, self.mesh, self.options.seed, &radiance, progress)
+        let (tree, mesh, seed) = (&self.tree, self.mesh, self.options.seed);
+        expose(shot, &Looked { tree, mesh, seed }, &radiance, progress)
     }
     // ANCHOR_END: picture
 
@@ -147,19 +149,14 @@ impl<'s> TwoPass<'s> {
     /// What gloss shows, W/(m² sr): the lamps exactly, all else by rays.
     // ANCHOR: gloss
     fn gloss(&self, at: &Meeting, journey: &Journey, tally: &mut Tally) -> Rgb {
-        let Some(glossy) = Glossy::of(at) else { return Rgb::ZERO };
-        let (how, counted) = (&self.options.gloss, self.lamps.are_counted());
-        let lamps = glossy.of_lamps(&self.lamps, how, tally.offset());
-        let tree = (&self.tree, counted);
+        let how = self.options.gloss;
+        let Some(glossy) = Glossy::of(at, how) else { return Rgb::ZERO };
+        let lamps = glossy.of_lamps(&self.lamps, tally.offset());
         let shade =
             |at: &Meeting, on: &Journey, tally: &mut Tally| self.shade(at, on, tally);
-        lamps + glossy.by_rays(how, tree, journey, tally, &shade)
+        lamps + glossy.by_rays(&self.tree, journey, tally, &shade)
     }
     // ANCHOR_END: gloss
-
-    fn normal(&self, surface: u32) -> DVec3 {
-        self.tree.scene.surfaces[surface as usize].polygon.normal()
-    }
 
     /// The diffuse light of a point, W/(m² sr), gathered anew from all sides: final
     /// gathering.
@@ -174,13 +171,14 @@ impl<'s> TwoPass<'s> {
             if share == Rgb::ZERO {
                 return Rgb::ZERO;
             }
-            let place = (surface, at.point, self.normal(surface));
+            let normal = self.tree.scene.surfaces[surface as usize].polygon.normal();
+            let place = Gathered { surface, at: at.point, normal };
             let shade = |at: &Meeting, on: &Journey, tally: &mut Tally| {
                 self.shade(at, on, tally)
             };
             let rays = self.options.gather;
-            let of = (&self.tree, &self.lamps);
-            share * gathered(of, place, rays, (journey, tally), &shade)
+            let by = FinalGather { tree: &self.tree, lamps: &self.lamps, rays };
+            share * by.irradiance(&place, journey, tally, &shade)
         };
         let front = on(at.surface, material.diffuse());
         let back = surface.back.map_or(Rgb::ZERO, |b| on(b, material.translucence()));

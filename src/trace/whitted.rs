@@ -1,6 +1,6 @@
 //! Classical ray tracing: mirrors, glass, and lamps; no light between diffuse surfaces.
 
-use super::expose::{Along, First, Shown, expose, followed};
+use super::expose::{Along, First, Looked, Shown, expose, followed};
 use super::gloss::{Gloss, Glossy};
 use super::lamps::{Lamps, Panes};
 use super::tree::{Limits, Tally, Tree};
@@ -58,7 +58,8 @@ impl<'s> Whitted<'s> {
         let radiance = |first: &First, tally: &mut Tally| {
             followed(&self.tree, first, tally, &shade)
         };
-        expose(shot, &self.tree, &self.mesh, 0, &radiance, progress)
+        let looked = Looked { tree: &self.tree, mesh: &self.mesh, seed: 0 };
+        expose(shot, &looked, &radiance, progress)
     }
 
     /// What comes against a ray.
@@ -111,8 +112,8 @@ impl<'s> Whitted<'s> {
     }
 
     fn gloss(&self, at: &Meeting, tally: &Tally) -> Rgb {
-        let Some(glossy) = Glossy::of(at) else { return Rgb::ZERO };
-        let lamps = glossy.of_lamps(&self.lamps, &Gloss::default(), tally.offset());
+        let Some(glossy) = Glossy::of(at, Gloss::default()) else { return Rgb::ZERO };
+        let lamps = glossy.of_lamps(&self.lamps, tally.offset());
         lamps + glossy.albedo() * self.ambient / PI
     }
 }

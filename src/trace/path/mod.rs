@@ -157,8 +157,9 @@ impl<'s> PathTracer<'s> {
             scattered: None,
             bounces: 0,
         };
-        let frame = Frame::about(normal);
-        if self.scatter(&mut walk, (Lobe::Lambert, &frame, DVec3::Z), random, tally) {
+        let (frame, wo) = (Frame::about(normal), DVec3::Z);
+        let diffuse = LobeAt { lobe: Lobe::Lambert, frame, wo };
+        if self.scatter(&mut walk, &diffuse, random, tally) {
             self.trace(walk, random, tally);
         }
     }
@@ -188,7 +189,7 @@ impl<'s> PathTracer<'s> {
                 let frame = Frame::about(normal);
                 let wo = frame.local_from_world(-met.direction);
                 let wo = wo.with_z(wo.z.abs());
-                return self.scatter(walk, (lobe, &frame, wo), random, tally);
+                return self.scatter(walk, &LobeAt { lobe, frame, wo }, random, tally);
             }
             Event::Passed => {
                 walk.scattered = walk.scattered.map(|(from, pdf)| (from, pdf * chance));
@@ -236,7 +237,7 @@ impl<'s> PathTracer<'s> {
     fn scatter(
         &self,
         walk: &mut Walk,
-        (lobe, frame, wo): (Lobe, &Frame, DVec3),
+        &LobeAt { lobe, frame, wo }: &LobeAt,
         random: &mut Stream,
         tally: PathTally,
     ) -> bool {
@@ -289,6 +290,13 @@ impl<'s> PathTracer<'s> {
             leaving = Some(met.surface);
         }
     }
+}
+
+/// A lobe in a frame, and where the light that it scatters goes, there.
+struct LobeAt {
+    lobe: Lobe,
+    frame: Frame,
+    wo: DVec3,
 }
 
 /// A clear view of a lamp.

@@ -10,7 +10,7 @@ use crate::random::Stream;
 use crate::room::Direct;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
-use crate::ways::{Arrival, Branching, Met, Specular};
+use crate::ways::{Arrival, Met, Specular};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -151,8 +151,7 @@ impl<'a> Gathering<'a> {
         for [c, d] in directions {
             let mut ray = ray_from(&side.polygon, &frame, [0.0, 0.0, c, d]);
             ray.origin = x;
-            let how = Branching::One;
-            self.rays.follow((ray, None), how, random, &mut |arrival| {
+            self.rays.follow((ray, None), random, &mut |arrival| {
                 self.arrive(arrival, share, found);
             });
         }

@@ -17,7 +17,7 @@ use crate::mesh::Mesh;
 use crate::random::Stream;
 use crate::room::{Direct, OnPiece, Room};
 use crate::scene::Scene;
-use crate::ways::{Arrival, Branching, Met, Specular};
+use crate::ways::{Arrival, Met, Specular};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -112,8 +112,7 @@ impl Walker<'_> {
             ray_from(polygon, &frame, [0.0, 0.0, random.next(), random.next()]);
         ray.origin = x;
         let (mut light, mut places) = (Rgb::ZERO, Vec::new());
-        let how = Branching::One;
-        self.rays.follow((ray, Some(surface)), how, random, &mut |arrival| {
+        self.rays.follow((ray, Some(surface)), random, &mut |arrival| {
             let Arrival { met, weight, chain } = arrival;
             match *met {
                 Met::Surface { surface, point, front: true, .. } => {

@@ -20,11 +20,12 @@
 //! faces, 100 boxes in a room, takes more than five minutes.
 
 use super::contour::exchange_by_contour;
+use super::past_blockers::{Part, past_blockers};
 use super::quadrature::{over, points_for};
 use super::{Accuracy, FormFactors, Lost, Matrix, Row, lost_by_rays};
 use crate::geometry::Polygon;
 use crate::mesh::{ElementId, Mesh};
-use crate::occlusion::{Blocker, Blockers, lambert_visible};
+use crate::occlusion::{Blocker, Blockers};
 use crate::radiometry::projected_solid_angle;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
@@ -89,7 +90,7 @@ fn facing<'a>(
 }
 
 // ANCHOR: exchange
-fn exchange_of_facing(i: &Polygon, j: &Polygon, tolerance: f64) -> f64 {
+pub(super) fn exchange_of_facing(i: &Polygon, j: &Polygon, tolerance: f64) -> f64 {
     // ANCHOR: rule_of_pair
     let (small, large) = by_size(i, j);
     let middle = small.centroid();
@@ -290,8 +291,9 @@ impl Analytic {
                 let share = from.area().min(to.area()) / area;
                 let allowed = self.tolerance * area * share.min(1.0);
                 let between = self.blockers.narrowed(between, from, to);
+                let part = Part { from, to, estimate: None, allowed, depth: DEEPEST };
                 let (exchange, error) =
-                    self.past_blockers(from, to, &between, None, allowed, DEEPEST);
+                    past_blockers(&self.blockers, &part, &between, self.open_tolerance);
                 // A gap that all points miss leaves no trace in their disagreement.
                 let hidden = !between.is_empty() && error > 0.0;
                 let least = if hidden { 0.5 * allowed } else { 0.0 };
@@ -300,62 +302,6 @@ impl Analytic {
         }
         (sum, off)
     }
-
-    /// `∫ F(x → to) dA` over `from`, to an absolute error near `allowed`; `estimate` is
-    /// what the caller found by points. Also how far the rules disagree.
-    fn past_blockers(
-        &self,
-        from: &Polygon,
-        to: &Polygon,
-        blockers: &[&Blocker],
-        estimate: Option<f64>,
-        allowed: f64,
-        depth: u32,
-    ) -> (f64, f64) {
-        let blockers = self.blockers.narrowed(blockers, from, to);
-        if blockers.is_empty() {
-            let found = exchange_of_facing(from, to, self.open_tolerance);
-            return (found, self.open_tolerance * from.area().min(to.area()));
-        }
-        if blockers.iter().any(|blocker| blocker.hides_all(from, to)) {
-            return (0.0, 0.0);
-        }
-        let by_points = |part: &Polygon, n: usize| {
-            over(part, n, |x| lambert_visible(x, part.normal(), to, &blockers))
-        };
-        let coarse = estimate.unwrap_or_else(|| by_points(from, 2));
-        let parts: Vec<Polygon> =
-            from.halves().flat_map(|half| half.halves()).collect();
-        let fine: Vec<f64> = parts.iter().map(|part| by_points(part, 2)).collect();
-        let sum = fine.iter().sum::<f64>();
-        let change = (coarse - sum).abs();
-        if depth == 0 || change <= allowed {
-            // Two rules may agree by chance, where both miss a shadow: ask a third. All may
-            // miss a slit of light: where none sees any, ask the corners.
-            let third = match sum {
-                0.0 => from.area() * seen_by_corners(from, to, &blockers),
-                _ => parts.iter().map(|part| by_points(part, 3)).sum(),
-            };
-            let apart = (third - sum).abs();
-            if depth == 0 || apart <= allowed {
-                return (if sum == 0.0 { sum } else { third }, apart.max(change));
-            }
-        }
-        let found = parts.iter().zip(&fine).map(|(part, &found)| {
-            let found = Some(found);
-            self.past_blockers(part, to, &blockers, found, 0.5 * allowed, depth - 1)
-        });
-        found.fold((0.0, 0.0), |(sum, off), (part, apart)| (sum + part, off + apart))
-    }
-}
-
-/// The most that a corner of one polygon, moved in a hair, sees of the other.
-fn seen_by_corners(from: &Polygon, to: &Polygon, blockers: &[&Blocker]) -> f64 {
-    let middle = from.centroid();
-    let corners = from.vertices().iter().map(|v| v.lerp(middle, 1e-3));
-    let seen =
-        corners.map(|corner| lambert_visible(corner, from.normal(), to, blockers));
-    seen.fold(0.0, f64::max)
 }
 
 impl FormFactors for Analytic {

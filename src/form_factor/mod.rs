@@ -38,6 +38,7 @@ pub mod linear;
 mod matrix;
 pub mod named;
 mod painter;
+mod past_blockers;
 mod pair;
 pub mod pictures;
 mod quadrature;

@@ -31,25 +31,11 @@ pub(super) fn settled(
     if pairs.is_empty() {
         return surfaces;
     }
-    // A rank for each face, the smallest first. Areas are compared as f32, so that equal
-    // faces with corners in another order are still equal, and the earlier one wins.
-    let mut areas = vec![0.0; faces];
-    for s in &surfaces {
-        areas[s.face] += s.polygon.area();
-    }
-    let rank = |s: &Surface| (areas[s.face] as f32, s.face.0);
-
-    let mut winners = vec![Vec::new(); surfaces.len()];
-    for (i, j) in pairs {
-        let first_wins = rank(&surfaces[i]) < rank(&surfaces[j]);
-        let (winner, loser) = if first_wins { (i, j) } else { (j, i) };
-        winners[loser].push(winner);
-    }
+    let winners = winners(&surfaces, faces, pairs);
     let diagonal = diagonal(&surfaces);
     let mut lost: Vec<(FaceId, FaceId, f64)> = Vec::new();
     let mut left = Vec::with_capacity(surfaces.len());
-    for (surface, mut winners) in surfaces.iter().zip(winners) {
-        winners.sort_unstable();
+    for (surface, winners) in surfaces.iter().zip(winners) {
         let mut pieces = vec![(surface.polygon.clone(), extent(&surface.polygon))];
         for winner in winners.iter().map(|&w| &surfaces[w]) {
             let hole = (&winner.polygon, extent(&winner.polygon));
@@ -80,6 +66,29 @@ pub(super) fn settled(
         area,
     }));
     left
+}
+
+/// For each surface those that win over it, in order, of pairs that overlap.
+fn winners(
+    surfaces: &[Surface],
+    faces: usize,
+    pairs: Vec<(usize, usize)>,
+) -> Vec<Vec<usize>> {
+    // A rank for each face, the smallest first. Areas are compared as f32, so that equal
+    // faces with corners in another order are still equal, and the earlier one wins.
+    let mut areas = vec![0.0; faces];
+    for s in surfaces {
+        areas[s.face] += s.polygon.area();
+    }
+    let rank = |s: &Surface| (areas[s.face] as f32, s.face.0);
+    let mut winners = vec![Vec::new(); surfaces.len()];
+    for (i, j) in pairs {
+        let first_wins = rank(&surfaces[i]) < rank(&surfaces[j]);
+        let (winner, loser) = if first_wins { (i, j) } else { (j, i) };
+        winners[loser].push(winner);
+    }
+    winners.iter_mut().for_each(|winners| winners.sort_unstable());
+    winners
 }
 
 /// So much before what it lies on stands a face that lets light through, as a share of its

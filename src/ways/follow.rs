@@ -30,6 +30,7 @@ pub struct Specular<'s> {
     /// The surface that each piece is part of; none if the pieces are the surfaces.
     surface_of: Vec<u32>,
     shines: bool,
+    branching: Branching,
 }
 
 /// What was met.
@@ -108,7 +109,8 @@ impl<'s> Specular<'s> {
     ) -> Specular<'s> {
         let (visibility, solids) = (Cow::Borrowed(visibility), Cow::Borrowed(solids));
         let shines = scene.shines();
-        Specular { scene, solids, visibility, surface_of: vec![], shines }
+        let (surface_of, branching) = (vec![], Branching::One);
+        Specular { scene, solids, visibility, surface_of, shines, branching }
     }
 
     /// The same with the surfaces in `pieces`, each with the surface that it is part of: a
@@ -120,7 +122,13 @@ impl<'s> Specular<'s> {
         let (surface_of, polygons): (Vec<u32>, Vec<&Polygon>) = pieces.unzip();
         let (solids, shines) = (Cow::Owned(Solids::of(scene)), scene.shines());
         let visibility = Cow::Owned(Visibility::new(polygons));
-        Specular { scene, solids, visibility, surface_of, shines }
+        let branching = Branching::One;
+        Specular { scene, solids, visibility, surface_of, shines, branching }
+    }
+
+    /// The same, rays dividing like this; they take one branch unless it is said.
+    pub fn branching(self, branching: Branching) -> Specular<'s> {
+        Specular { branching, ..self }
     }
 
     /// The pieces, in order, as rays meet them.
@@ -142,7 +150,6 @@ impl<'s> Specular<'s> {
     pub fn follow(
         &self,
         (ray, leaving): (Ray, Option<u32>),
-        branching: Branching,
         random: &mut Stream,
         visit: &mut dyn FnMut(&Arrival),
     ) {
@@ -152,7 +159,7 @@ impl<'s> Specular<'s> {
         while let Some(leg) = legs.pop() {
             if let Some(hit) = self.meet(&leg, visit) {
                 let next = self.onwards(leg, &hit, random);
-                select(next, branching, random, &mut legs);
+                select(next, self.branching, random, &mut legs);
             }
         }
     }

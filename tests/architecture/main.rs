@@ -3,12 +3,10 @@
 
 mod one_of_each;
 mod order;
+mod sizes;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// Files grow; past this they are split.
-const MOST_LINES: usize = 400;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -118,16 +116,6 @@ fn a_planted_upward_use_is_caught() {
         "#[cfg(test)]\nuse crate::solve::Shoot;",
     ] {
         assert!(upward_use(sound, &later).is_none(), "{sound}");
-    }
-}
-
-#[test]
-fn no_file_is_long() {
-    for folder in ["src", "tests", "book/src", "book/tests", "labs/src", "labs/tests"] {
-        for file in rust_files(folder) {
-            let lines = read(&file).lines().count();
-            assert!(lines <= MOST_LINES, "{} has {lines} lines: split it", name(&file));
-        }
     }
 }
 

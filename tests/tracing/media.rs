@@ -41,10 +41,11 @@ fn seen(scene: &Scene, ray: Ray, limits: Limits) -> Vec<(&'static str, f64, f64)
     let trees = trees.map(|(name, found)| (name, found.radiance.x + found.cut.x, 1e-9));
     let tracer = PathTracer::of(&Room::of(scene));
     let room = Room::of(scene);
-    let walk = Specular::through(scene, room.visibility(), room.solids());
-    let by = |how: Branching, random: &mut Stream| {
+    let walk = || Specular::through(scene, room.visibility(), room.solids());
+    let (one, both) = (walk(), walk().branching(Branching::Both(1e-3)));
+    let by = |walk: &Specular, random: &mut Stream| {
         let mut sum = 0.0;
-        walk.follow((ray, None), how, random, &mut |arrival| {
+        walk.follow((ray, None), random, &mut |arrival| {
             let found = match arrival.met {
                 Met::Surface { surface, front: true, .. } => {
                     scene.material(&scene.surfaces[surface as usize]).emission() / PI
@@ -59,8 +60,8 @@ fn seen(scene: &Scene, ray: Ray, limits: Limits) -> Vec<(&'static str, f64, f64)
     };
     let drawn = [
         ("paths", mean(|random| tracer.radiance(ray, random).x)),
-        ("a walk, one branch", mean(|random| by(Branching::One, random))),
-        ("a walk, both", mean(|random| by(Branching::Both(1e-3), random))),
+        ("a walk, one branch", mean(|random| by(&one, random))),
+        ("a walk, both", mean(|random| by(&both, random))),
     ];
     let drawn = drawn.map(|(name, (mean, error))| (name, mean, error));
     trees.into_iter().chain(drawn).collect()

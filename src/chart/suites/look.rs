@@ -42,6 +42,7 @@ impl Onlooker {
             (0..pixels.min(all)).map(|k| if pixels < all { place(k) } else { k });
         let room = Room::of(&scene);
         let rays = Specular::through(&scene, room.visibility(), room.solids());
+        let rays = rays.branching(Branching::Both(FAINT));
         let eye = Eye { scene: &scene, rays };
         let ends: Vec<(usize, Vec<End>)> =
             chosen.filter_map(|k| Some((k, eye.ends(&ray(&shot, k))?))).collect();
@@ -192,9 +193,8 @@ impl Eye<'_> {
     /// All that a ray shows; `None` if a lamp is among it.
     fn ends(&self, ray: &Ray) -> Option<Vec<End>> {
         let (mut ends, mut lit) = (vec![], false);
-        let how = Branching::Both(FAINT);
         let mut random = Stream::named(0, &[]);
-        self.rays.follow((*ray, None), how, &mut random, &mut |arrival| {
+        self.rays.follow((*ray, None), &mut random, &mut |arrival| {
             if let Met::Surface { surface, point, front: true, .. } = arrival.met {
                 let material = self.material(surface);
                 lit |= material.emits();

@@ -16,7 +16,7 @@ use crate::random::Stream;
 use crate::room::Direct;
 use crate::scene::{Scene, Surface};
 use crate::solve::LostPower;
-use crate::ways::{Arrival, Branching, Chain, Met, Specular};
+use crate::ways::{Arrival, Chain, Met, Specular};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -120,8 +120,7 @@ impl<'a> SpecularTransport<'a> {
             while sum > next {
                 next += 1.0 / self.density;
                 let ray = Ray { origin: point, direction };
-                let how = Branching::One;
-                self.rays.follow((ray, None), how, &mut random, &mut |arrival| {
+                self.rays.follow((ray, None), &mut random, &mut |arrival| {
                     self.add(arrival, patches, first, &mut seen);
                 });
             }

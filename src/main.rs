@@ -4,6 +4,7 @@
 mod command;
 
 /// Counts what is held: `chart` tells the most.
+#[cfg(feature = "memory")]
 #[global_allocator]
 static MEMORY: peak_alloc::PeakAlloc = peak_alloc::PeakAlloc;
 

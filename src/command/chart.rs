@@ -1,10 +1,11 @@
 //! `radiosity chart`: methods side by side, time and work beside error.
 
 use super::output::{Refusal, Terminal, write};
+#[cfg(feature = "memory")]
 use crate::MEMORY;
 use clap::Args;
 use cpu_time::ThreadTime;
-use radiosity::chart::{self, Bench, Meter, SUITES, Suite, Trial};
+use radiosity::chart::{self, Bench, Column, Meter, SUITES, Suite, Trial, View};
 use serde_json::{Value, json};
 use std::cell::Cell;
 use std::path::PathBuf;
@@ -13,13 +14,15 @@ use std::time::{SystemTime, UNIX_EPOCH};
 /// Runs methods against each other, and writes tables and charts
 ///
 /// On one thread. Each trial tells processor time (the median of several runs), work that is
-/// the same on any machine, memory, and how far it is off from the best truth there is.
+/// the same on any machine, memory (counted by a build with `--features memory` alone, since
+/// all else would pay for it, too), and how far it is off from the best truth there is.
 #[derive(Args)]
 #[command(after_help = "Examples:
   radiosity chart                          every suite, some ten minutes
   radiosity chart form-factors scaling     two of them
-  radiosity chart solvers --png            pictures for slides, too
-  radiosity chart -o book/data             makes the charts of the book anew")]
+  radiosity chart solvers --png            pictures for slides, too (--features png)
+  radiosity chart -o book/data             makes the charts of the book anew
+                                           (--features memory)")]
 pub struct Chart {
     /// What is compared [default: everything]
     #[arg(value_name = "SUITE", value_parser = suite_names())]
@@ -27,7 +30,7 @@ pub struct Chart {
     /// Where tables and charts go
     #[arg(short, long, value_name = "DIR", default_value = "out/chart")]
     output: PathBuf,
-    /// Write each chart as PNG, too
+    /// Write each chart as PNG, too; for a build with `--features png`
     #[arg(long)]
     png: bool,
 }
@@ -48,14 +51,33 @@ impl Meter for Instruments {
     fn seconds(&self) -> f64 {
         self.time.elapsed().as_secs_f64()
     }
+    #[cfg(feature = "memory")]
     fn watch_memory(&self) {
         MEMORY.reset_peak_usage();
         self.held.set(MEMORY.current_usage());
     }
+    #[cfg(feature = "memory")]
     fn peak(&self) -> u64 {
         MEMORY.peak_usage().saturating_sub(self.held.get()) as u64
     }
+    #[cfg(not(feature = "memory"))]
+    fn watch_memory(&self) {}
+    #[cfg(not(feature = "memory"))]
+    fn peak(&self) -> u64 {
+        self.held.get() as u64 // nothing
+    }
 }
+
+/// Which charts can be drawn: those of memory where it is counted.
+fn is_measured(view: &&View) -> bool {
+    cfg!(feature = "memory")
+        || ![view.across.0, view.upward.0].contains(&Column::Memory)
+}
+
+/// Why there are no pictures in pixels.
+const NO_PNG: &str = "this build draws charts as SVG alone; build it with \
+    `cargo run --release --features png -- chart --png`, or convert the SVG, for \
+    instance with `rsvg-convert`";
 
 impl Chart {
     /// Runs the verb.
@@ -64,6 +86,9 @@ impl Chart {
             self.suites.is_empty() || self.suites.iter().any(|name| name == s.name)
         };
         let suites: Vec<&Suite> = SUITES.iter().filter(chosen).collect();
+        if self.png && cfg!(not(feature = "png")) {
+            return Err(Refusal(NO_PNG.into()));
+        }
         std::fs::create_dir_all(&self.output).map_err(|error| {
             let folder = self.output.display();
             Refusal(format!(
@@ -104,7 +129,7 @@ impl Chart {
         // Drawn from the table and not from the trials: its numbers are rounded, and who
         // draws the charts from it must find the same.
         let trials = chart::read(&csv).map_err(Refusal)?;
-        for view in suite.views {
+        for view in suite.views.iter().filter(is_measured) {
             let svg = view.chart(&trials).svg();
             add(format!("{}.svg", view.file), svg.as_bytes())?;
             if self.png {
@@ -148,6 +173,7 @@ fn today() -> String {
 }
 
 /// The chart in pixels, twice as many as it has units; black on white.
+#[cfg(feature = "png")]
 fn png(svg: &str) -> Result<Vec<u8>, Refusal> {
     use resvg::{tiny_skia::Pixmap, tiny_skia::Transform, usvg};
     const SCALE: f32 = 2.0;
@@ -166,6 +192,11 @@ fn png(svg: &str) -> Result<Vec<u8>, Refusal> {
     pixels.fill(resvg::tiny_skia::Color::WHITE);
     resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
     Ok(pixels.encode_png()?)
+}
+
+#[cfg(not(feature = "png"))]
+fn png(_: &str) -> Result<Vec<u8>, Refusal> {
+    Err(Refusal(NO_PNG.into()))
 }
 
 /// The trials for people.

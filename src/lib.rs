@@ -51,6 +51,10 @@
 
 pub use glam;
 
+#[cfg(doctest)]
+#[doc = include_str!("README.md")]
+mod readme {}
+
 pub mod geometry;
 pub mod random;
 pub mod work;

@@ -5,7 +5,7 @@ use super::output::{Refusal, Terminal, write};
 use crate::MEMORY;
 use clap::Args;
 use cpu_time::ThreadTime;
-use radiosity::chart::{self, Bench, Column, Meter, SUITES, Suite, Trial, View};
+use radiosity::chart::{self, Bench, ChartView, Column, Meter, SUITES, Suite, Trial};
 use serde_json::{Value, json};
 use std::cell::Cell;
 use std::path::PathBuf;
@@ -69,7 +69,7 @@ impl Meter for Instruments {
 }
 
 /// Which charts can be drawn: those of memory where it is counted.
-fn is_measured(view: &&View) -> bool {
+fn is_measured(view: &&ChartView) -> bool {
     cfg!(feature = "memory")
         || ![view.across.0, view.upward.0].contains(&Column::Memory)
 }

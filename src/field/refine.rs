@@ -10,8 +10,8 @@
 //! error at a time, until what is left is small enough. Near lamps and at shadow boundaries
 //! this is often, elsewhere never.
 //!
-//! Whoever knows where light may peak names these places, too: a lamp that is smaller and
-//! nearer than the element lights a spot that the usual points would miss.
+//! It is asked next to lamps, too: a lamp that is smaller and nearer than the element lights
+//! a spot that the usual points would miss.
 //!
 //! **Fails** when something shows at none of these points: a bright spot in the middle of
 //! a quarter, that no lamp is near.
@@ -23,11 +23,11 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// LightAt at a point of an element, W/m².
+/// Light at a point of an element, W/m².
 pub(super) type LightAt<'a> = &'a (dyn Fn(&Element, DVec3) -> Rgb + Sync);
 
 /// Points of an element, each with an area, in scene units squared.
-pub(super) type Peaks<'a> = &'a (dyn Fn(&Element) -> Vec<(DVec3, f64)> + Sync);
+pub(super) type NearLamps<'a> = &'a (dyn Fn(&Element) -> Vec<(DVec3, f64)> + Sync);
 
 /// Where an element is asked for its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,8 +45,8 @@ pub(super) struct Refinement<'a> {
     /// `ρ` of an element.
     pub reflectance: &'a (dyn Fn(&Element) -> Rgb + Sync),
     pub ask: Asked,
-    /// Places in an element, beside the usual, where light may peak; and over what area.
-    pub peaks: Peaks<'a>,
+    /// Places in an element next to small lamps, where light may peak; and over what area.
+    pub near_lamps: NearLamps<'a>,
     /// Corners at the rim of a surface are asked this share of an element inside it.
     pub inside: f64,
     /// `‖B − E‖²`, per channel; a channel with 0 does not count.
@@ -197,9 +197,10 @@ impl Refinement<'_> {
             }
         };
         // ANCHOR_END: simpson
-        let peaks = (self.peaks)(element).into_iter();
-        let peaks = peaks.map(|(at, area)| area.min(polygon.area()) * off(at));
-        let share = (polygon.area() * squares + peaks.sum::<Rgb>()) / self.scale;
+        let near_lamps = (self.near_lamps)(element).into_iter();
+        let near_lamps =
+            near_lamps.map(|(at, area)| area.min(polygon.area()) * off(at));
+        let share = (polygon.area() * squares + near_lamps.sum::<Rgb>()) / self.scale;
         share.to_array().into_iter().filter(|s| s.is_finite()).fold(0.0, f64::max)
     }
 }

@@ -31,7 +31,7 @@ pub mod cast;
 mod close;
 mod contour;
 mod coordinates;
-mod glance;
+mod estimate;
 pub mod hemicube;
 pub mod hybrid;
 pub mod linear;
@@ -47,7 +47,7 @@ pub mod shortcuts;
 pub use accuracy::Accuracy;
 pub use close::{Closing, close, closure};
 pub use contour::exchange_by_contour;
-pub use glance::{Glance, Obstruction, glance};
+pub use estimate::{FactorEstimate, Obstruction, estimate};
 pub use matrix::{Cached, Matrix, Row};
 pub use pair::{form_factor, form_factor_past};
 

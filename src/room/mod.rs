@@ -28,7 +28,7 @@
 //! 1760; Wallace, Cohen & Greenberg 1987 (images of lamps).
 
 mod direct;
-mod peaks;
+mod near_lamps;
 mod portals;
 
 pub use direct::{Direct, OnPiece};

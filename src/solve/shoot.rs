@@ -28,7 +28,7 @@ pub enum Brightest {
 /// only. Ends (`None`) when no light is left at all.
 ///
 /// A step takes the time of a row and some `n` additions, to look for the brightest and
-/// to keep the books. What it saves is rows: those of elements that never shine are
+/// to draw up the ledger. What it saves is rows: those of elements that never shine are
 /// never asked for.
 ///
 /// With factors that are not reciprocal, a hemicube's for instance, it ends at another

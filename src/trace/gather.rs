@@ -7,7 +7,7 @@ use crate::radiometry::cosine_direction;
 use glam::{DVec3, dvec2};
 
 /// A point of a surface on which light is gathered.
-pub(super) struct Gathered {
+pub(super) struct GatherPoint {
     pub surface: u32,
     pub at: DVec3,
     pub normal: DVec3,
@@ -31,7 +31,7 @@ impl FinalGather<'_, '_> {
     /// looks, and no ray counts more than another.
     pub(super) fn irradiance(
         &self,
-        &Gathered { surface, at, normal }: &Gathered,
+        &GatherPoint { surface, at, normal }: &GatherPoint,
         journey: &Journey,
         tally: &mut Tally,
         shade: Shade,

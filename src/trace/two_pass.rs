@@ -1,7 +1,7 @@
 //! The second of two passes: diffuse light is known, what shines is followed.
 
 use super::expose::{Along, First, Looked, Shown, expose, followed};
-use super::gather::{FinalGather, Gathered};
+use super::gather::{FinalGather, GatherPoint};
 use super::gloss::{Gloss, Glossy};
 use super::lamps::{Lamps, Panes};
 use super::locate::Locate;
@@ -172,7 +172,7 @@ impl<'s> TwoPass<'s> {
                 return Rgb::ZERO;
             }
             let normal = self.tree.scene.surfaces[surface as usize].polygon.normal();
-            let place = Gathered { surface, at: at.point, normal };
+            let place = GatherPoint { surface, at: at.point, normal };
             let shade = |at: &Meeting, on: &Journey, tally: &mut Tally| {
                 self.shade(at, on, tally)
             };

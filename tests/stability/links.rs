@@ -7,7 +7,7 @@ use crate::failures::meshing::links::{
 };
 use crate::failures::rooms::{black, rectangle};
 use glam::{DVec3, dvec3};
-use radiosity::form_factor::{Obstruction, glance};
+use radiosity::form_factor::{Obstruction, estimate};
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::occlusion::{Blockers, lambert_visible};
 use radiosity::solve::hierarchy::{
@@ -49,8 +49,8 @@ fn row_43_points_are_blind_but_shafts_are_not() {
         Blockers::of(&black(all.into_iter().chain(card)))
     };
     let (open, shaded) = (of(None), of(Some(card)));
-    let free = glance(&floor, &lamp, &open, Obstruction::Partial);
-    let seen = glance(&floor, &lamp, &shaded, Obstruction::Partial);
+    let free = estimate(&floor, &lamp, &open, Obstruction::Partial);
+    let seen = estimate(&floor, &lamp, &shaded, Obstruction::Partial);
     // The points tell no difference...
     let past = shaded.between(&floor, &lamp);
     let under = lambert_visible(dvec3(0.303, 0.303, 0.0), DVec3::Z, &lamp, &past);
@@ -59,7 +59,7 @@ fn row_43_points_are_blind_but_shafts_are_not() {
     // ... and yet the link is not trusted.
     assert!(seen.bend >= 0.19 * seen.mean && seen.bend > free.bend, "{seen:?}");
     let spot = rectangle(dvec3(0.29, 0.29, 0.01), 0.02 * DVec3::Y, 0.02 * DVec3::X);
-    let spot = glance(&floor, &spot, &open, Obstruction::Free);
+    let spot = estimate(&floor, &spot, &open, Obstruction::Free);
     assert!(spot.bend > 0.5 * spot.mean, "{spot:?}");
 }
 
@@ -77,7 +77,7 @@ fn row_44_contacts_do_not_refine_for_ever() {
     let floor = rectangle(DVec3::ZERO, DVec3::X, DVec3::Y);
     let wall = rectangle(DVec3::ZERO, DVec3::Y, DVec3::Z);
     let blockers = Blockers::of(&black([floor.clone(), wall.clone()]));
-    assert!(glance(&floor, &wall, &blockers, Obstruction::Free).bend > 0.01);
+    assert!(estimate(&floor, &wall, &blockers, Obstruction::Free).bend > 0.01);
     let scene = lit_cube(0.5);
     let elements = |smallest: f64| {
         let options = HierarchyOptions::aiming_at(0.05, &scene);

@@ -180,7 +180,7 @@ impl DirectLight<'_> {
             light: &|e, at| on[e.patch].irradiance(at),
             reflectance: &|e| scattered[e.patch],
             ask: Asked::All,
-            peaks: &|e| self.direct.peaks(&e.polygon),
+            near_lamps: &|e| self.direct.near_lamps(&e.polygon),
             inside: JUST_INSIDE,
             scale,
             target,
@@ -195,7 +195,7 @@ impl DirectLight<'_> {
             let light = self.direct.on(&e.polygon);
             let centre = e.polygon.centroid();
             let all = (centre, e.polygon.area());
-            let places = self.direct.peaks(&e.polygon).into_iter().chain([all]);
+            let places = self.direct.near_lamps(&e.polygon).into_iter().chain([all]);
             let squares = places.map(|(at, area)| {
                 area * light.irradiance(at.lerp(centre, JUST_INSIDE)).powf(2.0)
             });
@@ -263,7 +263,7 @@ fn reflected_light<'a>(
         },
         reflectance: &|e| scattered[e.patch],
         ask: Asked::Centre,
-        peaks: &|_| Vec::new(),
+        near_lamps: &|_| Vec::new(),
         inside: INSIDE,
         scale,
         target: how.reflected,

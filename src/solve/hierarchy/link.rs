@@ -1,7 +1,7 @@
 //! Links: from where a node gathers, and how far that may be wrong.
 
 use super::tree::{Forest, Node, NodeId};
-use crate::form_factor::{Glance, Obstruction, glance};
+use crate::form_factor::{FactorEstimate, Obstruction, estimate};
 use crate::geometry::Rgb;
 use crate::occlusion::Blockers;
 use glam::{DMat3, DVec3, Vec3};
@@ -33,8 +33,8 @@ impl Link {
         scene: &Blockers,
         sight: Obstruction,
     ) -> Option<Link> {
-        let Glance { mean, slope, bend, sight, .. } =
-            glance(&receiver.polygon, &at.polygon, scene, sight);
+        let FactorEstimate { mean, slope, bend, sight, .. } =
+            estimate(&receiver.polygon, &at.polygon, scene, sight);
         (sight != Obstruction::Hidden).then_some(Link {
             source,
             factor: mean,
@@ -69,7 +69,7 @@ impl Link {
             if most <= matters {
                 return most;
             }
-            let back = glance(&source.polygon, &receiver.polygon, scene, self.sight);
+            let back = estimate(&source.polygon, &receiver.polygon, scene, self.sight);
             let missed = (back.mean * ratio - self.factor).abs();
             self.source_spread = (ratio * back.spread).max(missed) as f32;
         }

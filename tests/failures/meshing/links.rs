@@ -4,7 +4,7 @@ use super::super::rooms::{black, box_walls, rectangle, scene};
 use super::super::{Found, Sweep, curve};
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::analytic::exchange;
-use radiosity::form_factor::{Obstruction, glance};
+use radiosity::form_factor::{Obstruction, estimate};
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::occlusion::Blockers;
 use radiosity::solve::hierarchy::{Forest, Hierarchy, HierarchyOptions, NodeId};
@@ -24,7 +24,7 @@ pub fn blind_points() -> Sweep {
         let things = [floor.clone(), lamp.clone(), base];
         Blockers::of(&black(things.into_iter().chain(card)))
     };
-    let open = glance(&floor, &lamp, &all(None), Obstruction::Partial).mean;
+    let open = estimate(&floor, &lamp, &all(None), Obstruction::Partial).mean;
     let places = [0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.43, 0.47, 0.5];
     // In per cent of the open factor: what points miss, how far the link is trusted to
     // be off, and what is missing.
@@ -32,7 +32,7 @@ pub fn blind_points() -> Sweep {
         let corner = dvec3(x - 0.5 * CARD, 0.5 - 0.5 * CARD, 0.02);
         let card = rectangle(corner, CARD * DVec3::X, CARD * DVec3::Y);
         let seen =
-            glance(&floor, &lamp, &all(Some(card.clone())), Obstruction::Partial);
+            estimate(&floor, &lamp, &all(Some(card.clone())), Obstruction::Partial);
         // What reaches the card from above, of what reaches the floor.
         let taken = exchange(&card, &lamp, 1e-9) / exchange(&floor, &lamp, 1e-9);
         [1.0 - seen.mean / open, seen.bend / open, taken].map(|share| 100.0 * share)
@@ -60,7 +60,7 @@ fn bend(size: f64) -> f64 {
     let blockers = Blockers::of(&black(box_walls([1.0; 3])));
     let floor = rectangle(DVec3::ZERO, size * DVec3::X, size * DVec3::Y);
     let wall = rectangle(DVec3::ZERO, size * DVec3::Y, size * DVec3::Z);
-    glance(&floor, &wall, &blockers, Obstruction::Free).bend
+    estimate(&floor, &wall, &blockers, Obstruction::Free).bend
 }
 
 /// Row 44.

@@ -19,7 +19,7 @@ impl Direct<'_> {
     /// is nearest to the lamp, and the area of the spot, in scene units squared.
     ///
     /// Lamps themselves, not their images in mirrors.
-    pub(crate) fn peaks(&self, element: &Polygon) -> Vec<(DVec3, f64)> {
+    pub(crate) fn near_lamps(&self, element: &Polygon) -> Vec<(DVec3, f64)> {
         let (middle, size, area) =
             (element.centroid(), element.diameter(), element.area());
         let spot = |&(lamp, _): &(&Polygon, _)| {

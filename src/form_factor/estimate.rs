@@ -1,5 +1,5 @@
-//! What one polygon sees of another at a glance: the mean factor, its slope, and how far
-//! it is from being linear.
+//! An estimate of what one polygon sees of another: the mean factor, its slope, and how
+//! far it is from being linear.
 //!
 //! ```text
 //! F(x → to) ≈ mean + slope · (x − centroid)          for x on from
@@ -17,7 +17,7 @@ use smallvec::SmallVec;
 
 /// The factor from the points of one polygon to another.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Glance {
+pub struct FactorEstimate {
     /// The form factor, in `[0, 1]`.
     pub mean: f64,
     /// How fast the factor grows, in 1/scene units; along the polygon, and never so steep
@@ -54,26 +54,26 @@ const EXACT: f64 = 1e-6;
 /// One point: where, its share of the area, the factor there.
 type Sample = (DVec3, f64, f64);
 
-/// Looks from a polygon to the front of another. `sight` is what is known beforehand:
+/// Estimates the factor from a polygon to the front of another. `sight` is what is known beforehand:
 /// pieces of two polygons that see each other freely do so too.
-pub fn glance(
+pub fn estimate(
     from: &Polygon,
     to: &Polygon,
     scene: &Blockers,
     sight: Obstruction,
-) -> Glance {
+) -> FactorEstimate {
     if sight == Obstruction::Hidden || !face(from, to) {
-        return Glance::default();
+        return FactorEstimate::default();
     }
-    // ANCHOR: glance_sight
+    // ANCHOR: obstruction
     let between = match sight {
         Obstruction::Free => Vec::new(),
         _ => scene.between(from, to),
     };
     if between.iter().any(|blocker| blocker.hides_all(from, to)) {
-        return Glance::default();
+        return FactorEstimate::default();
     }
-    // ANCHOR_END: glance_sight
+    // ANCHOR_END: obstruction
     let (normal, area) = (from.normal(), from.area());
     let mut samples: SmallVec<[Sample; 9]> = SmallVec::new();
     let (mut open, mut all, mut none) = (0.0, true, true);
@@ -103,7 +103,7 @@ fn fit(
     exact: Option<f64>,
     unseen: f64,
     sight: Obstruction,
-) -> Glance {
+) -> FactorEstimate {
     let sum = |f: &dyn Fn(&Sample) -> f64| samples.iter().map(f).sum::<f64>();
     let by_points = sum(&|(_, w, f)| w * f);
     let centre: DVec3 = samples.iter().map(|(x, w, _)| *w * *x).sum();
@@ -130,7 +130,7 @@ fn fit(
     };
     let missed = (mean - by_points).abs().max(unseen);
     let bend = off(&|x| by_points + slope.dot(x - centre)).max(missed);
-    Glance { mean, slope, bend, spread: off(&|_| by_points).max(missed), sight }
+    FactorEstimate { mean, slope, bend, spread: off(&|_| by_points).max(missed), sight }
 }
 
 /// Does each have a corner in front of the other?

@@ -5,7 +5,7 @@ use super::{Judged, Sampling};
 use crate::form_factor::ray_from;
 use crate::geometry::{Frame, Polygon, Rgb};
 use crate::material::Material;
-use crate::mesh::{ElementId, Mesh};
+use crate::mesh::{ElementId, Locator, Mesh};
 use crate::random::Stream;
 use crate::room::Direct;
 use crate::scene::Scene;
@@ -45,6 +45,7 @@ pub(super) struct Gathering<'a> {
     field: &'a Judged<'a>,
     sampling: Sampling,
     rays: Specular<'a>,
+    locator: Locator,
     direct: &'a Direct<'a>,
 }
 
@@ -65,7 +66,7 @@ struct Found {
 
 impl<'a> Gathering<'a> {
     pub fn new(
-        (scene, _, direct): (&'a Scene, &'a Visibility, &'a Direct<'a>),
+        (scene, visibility, direct): (&'a Scene, &'a Visibility, &'a Direct<'a>),
         strata: &'a Strata,
         field: &'a Judged<'a>,
         sampling: Sampling,
@@ -73,8 +74,9 @@ impl<'a> Gathering<'a> {
         let mesh = field.mesh;
         let surface = |p: &Piece| mesh.surface_of(&mesh.elements[p.element as usize]);
         let pieces = strata.pieces.iter().map(|p| (surface(p), &p.polygon));
-        let rays = Specular::of_pieces(scene, pieces);
-        Gathering { scene, mesh, strata, field, sampling, rays, direct }
+        let locator = Locator::of(scene, pieces);
+        let rays = Specular::within(scene, visibility);
+        Gathering { scene, mesh, strata, field, sampling, rays, locator, direct }
     }
 
     /// The points of all strata, in order.
@@ -162,7 +164,11 @@ impl<'a> Gathering<'a> {
         let Arrival { met, weight, chain } = arrival;
         let share = share * weight;
         match *met {
-            Met::Surface { piece, point, front: true, .. } => {
+            Met::Surface { surface, point, front: true } => {
+                let outline = |k: u32| &self.strata.pieces[k as usize].polygon;
+                let Some(piece) = self.locator.piece(surface, point, outline) else {
+                    return;
+                };
                 let emission = self.material(piece).emission();
                 let summed = if self.direct.sums(chain) { emission } else { Rgb::ZERO };
                 // Of a black surface the truth is known.

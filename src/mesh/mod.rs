@@ -33,6 +33,7 @@ mod grid;
 mod ids;
 mod interpolate;
 mod levels;
+mod locate;
 mod place;
 mod split;
 
@@ -40,6 +41,7 @@ pub use backs::Backs;
 pub use ids::{ElementId, PatchId, VertexId};
 pub use interpolate::wachspress;
 pub use levels::TwoLevels;
+pub use locate::Locator;
 pub use place::Place;
 
 use crate::geometry::{Polygon, Rgb};

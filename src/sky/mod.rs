@@ -100,7 +100,7 @@ impl Sky {
 
     /// A general sky of the CIE: five `coefficients` (see [`cie_coefficients`]; the
     /// second is negative), the direction to the `sun`, radiance at the `zenith` in
-    /// W/(m² sr). SkyLight scattered by the air only: the sun's disc is not in it. `sun`
+    /// W/(m² sr). Light scattered by the air only: the sun's disc is not in it. `sun`
     /// and `up` have unit length, and the sun stands above the horizon.
     ///
     /// ```text

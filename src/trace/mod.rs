@@ -27,7 +27,6 @@ mod expose;
 mod gather;
 mod gloss;
 mod lamps;
-mod locate;
 mod path;
 mod tree;
 mod two_pass;

@@ -4,12 +4,11 @@ use super::expose::{Along, First, Looked, Shown, expose, followed};
 use super::gather::{FinalGather, GatherPoint};
 use super::gloss::{Gloss, Glossy};
 use super::lamps::{Lamps, Panes};
-use super::locate::Locate;
 use super::tree::{Journey, Limits, Tally, Tree};
 use crate::field::Field;
 use crate::film::Shot;
 use crate::geometry::{Ray, Rgb};
-use crate::mesh::Mesh;
+use crate::mesh::{ElementId, Locator, Mesh};
 use crate::room::Room;
 use crate::ways::Meeting;
 use crate::work::Progress;
@@ -44,7 +43,7 @@ pub struct TwoPass<'s> {
     mesh: &'s Mesh,
     /// `B`, W/m², per vertex of the mesh.
     radiosity: Cow<'s, [Rgb]>,
-    locate: Locate,
+    locator: Locator,
     lamps: Lamps,
     options: Look,
 }
@@ -79,10 +78,11 @@ impl<'s> TwoPass<'s> {
             options.gather > 0 || m.shine().gloss().is_some()
         };
         let lamps = Lamps::of(scene, Panes::Block, asks);
-        let locate = Locate::of(scene, mesh);
+        let pieces = mesh.elements.iter().map(|e| (mesh.surface_of(e), &e.polygon));
+        let locator = Locator::of(scene, pieces);
         let lamps_are_counted = lamps.are_counted();
         let tree = Tree { lamps_are_counted, ..Tree::of(room, options.limits) };
-        TwoPass { tree, mesh, radiosity, locate, lamps, options }
+        TwoPass { tree, mesh, radiosity, locator, lamps, options }
     }
 
     /// What a camera sees.
@@ -138,9 +138,10 @@ impl<'s> TwoPass<'s> {
     /// `B/π` as it was found, W/(m² sr).
     // ANCHOR: stored
     fn stored(&self, at: &Meeting) -> Rgb {
-        let element = self.locate.element(self.mesh, at.surface, at.point);
+        let outline = |id: u32| &self.mesh.element(ElementId(id)).polygon;
+        let element = self.locator.piece(at.surface, at.point, outline);
         element.map_or(Rgb::ZERO, |id| {
-            let element = self.mesh.element(id);
+            let element = self.mesh.element(ElementId(id));
             self.mesh.value_at(element, at.point, &self.radiosity) / PI
         })
     }

@@ -12,7 +12,7 @@
 //! average. Only what is left after [`MOST_BOUNCES`] is cut off, and told.
 
 use super::{Event, Media, Meeting, Solids, choose, ways};
-use crate::geometry::{Frame, Polygon, Ray, Rgb};
+use crate::geometry::{Frame, Ray, Rgb};
 use crate::material::Lobe;
 use crate::random::Stream;
 use crate::scene::Scene;
@@ -26,9 +26,7 @@ use std::borrow::Cow;
 pub struct Specular<'s> {
     scene: &'s Scene,
     solids: Cow<'s, Solids>,
-    visibility: Cow<'s, Visibility>,
-    /// The surface that each piece is part of; none if the pieces are the surfaces.
-    surface_of: Vec<u32>,
+    visibility: &'s Visibility,
     shines: bool,
     branching: Branching,
 }
@@ -40,9 +38,6 @@ pub enum Met {
     Surface {
         /// Which of [`Scene::surfaces`].
         surface: u32,
-        /// Which of the pieces that rays were told of: the same, unless by
-        /// [`Specular::of_pieces`].
-        piece: u32,
         /// Where.
         point: DVec3,
         /// The front? (A back that reflects or lets light through is a surface of its own.)
@@ -107,23 +102,15 @@ impl<'s> Specular<'s> {
         visibility: &'s Visibility,
         solids: &'s Solids,
     ) -> Specular<'s> {
-        let (visibility, solids) = (Cow::Borrowed(visibility), Cow::Borrowed(solids));
+        let solids = Cow::Borrowed(solids);
         let shines = scene.shines();
-        let (surface_of, branching) = (vec![], Branching::One);
-        Specular { scene, solids, visibility, surface_of, shines, branching }
+        Specular { scene, solids, visibility, shines, branching: Branching::One }
     }
 
-    /// The same with the surfaces in `pieces`, each with the surface that it is part of: a
-    /// ray then tells which piece it met.
-    pub fn of_pieces<'p>(
-        scene: &'s Scene,
-        pieces: impl Iterator<Item = (u32, &'p Polygon)>,
-    ) -> Specular<'s> {
-        let (surface_of, polygons): (Vec<u32>, Vec<&Polygon>) = pieces.unzip();
+    /// The same for whoever has nothing but the surfaces ready.
+    pub fn within(scene: &'s Scene, visibility: &'s Visibility) -> Specular<'s> {
         let (solids, shines) = (Cow::Owned(Solids::of(scene)), scene.shines());
-        let visibility = Cow::Owned(Visibility::new(polygons));
-        let branching = Branching::One;
-        Specular { scene, solids, visibility, surface_of, shines, branching }
+        Specular { scene, solids, visibility, shines, branching: Branching::One }
     }
 
     /// The same, rays dividing like this; they take one branch unless it is said.
@@ -131,9 +118,9 @@ impl<'s> Specular<'s> {
         Specular { branching, ..self }
     }
 
-    /// The pieces, in order, as rays meet them.
+    /// The surfaces, in order, as rays meet them.
     pub fn visibility(&self) -> &Visibility {
-        &self.visibility
+        self.visibility
     }
 
     /// Is there any surface that rays go on from?
@@ -165,10 +152,6 @@ impl<'s> Specular<'s> {
     }
     // ANCHOR_END: follow
 
-    fn surface_of(&self, piece: u32) -> u32 {
-        self.surface_of.get(piece as usize).copied().unwrap_or(piece)
-    }
-
     /// The next surface on the way, if the ray is to go on from there.
     fn meet(&self, leg: &Leg, visit: &mut dyn FnMut(&Arrival)) -> Option<Hit> {
         let mut arrive = |met| {
@@ -179,9 +162,8 @@ impl<'s> Specular<'s> {
             return None;
         };
         let point = leg.ray.origin + hit.distance * leg.ray.direction;
-        let (piece, front) = (hit.item, hit.front);
-        let surface = self.surface_of(piece);
-        arrive(Met::Surface { surface, piece, point, front });
+        let (surface, front) = (hit.item, hit.front);
+        arrive(Met::Surface { surface, point, front });
         let surface = &self.scene.surfaces[surface as usize];
         if self.scene.material(surface).shine().is_dull() {
             return None;
@@ -200,8 +182,7 @@ impl<'s> Specular<'s> {
         hit: &Hit,
         random: &mut Stream,
     ) -> SmallVec<[Leg; 2]> {
-        let surface = Hit { item: self.surface_of(hit.item), ..*hit };
-        let met = Meeting::of(self.scene, &self.solids, &leg.ray, &surface);
+        let met = Meeting::of(self.scene, &self.solids, &leg.ray, hit);
         let bends = met.material.shine().bends();
         let mut on = SmallVec::new();
         for way in ways(&met, &mut leg.media) {

@@ -126,7 +126,7 @@ fn smooth(room: &Room, how: &Fineness, work: &Work) -> Field {
     progress("direct light", 0, 2);
     let scale = summed.scale(&patches);
     let (levels, light) = summed.on(&patches, 2.0 * how.direct, scale);
-    let mut system = System::new(scene, &levels, &light, direct, how.hemicube);
+    let mut system = System::new(room, &levels, &light, how.hemicube);
     let looks = AtomicUsize::new(system.look(how.reflected.is_finite(), progress));
     let light = reflected_light(scene, &mut system, how, &looks, progress);
 

@@ -11,9 +11,9 @@ use super::first_bounce::FirstBounce;
 use super::patches::SmoothPatches;
 use crate::form_factor::linear::{Followed, Moments};
 use crate::geometry::{Ray, Rgb};
-use crate::mesh::{ElementId, Mesh, PatchId};
+use crate::mesh::{ElementId, Locator, Mesh, PatchId};
 use crate::random::Stream;
-use crate::room::Direct;
+use crate::room::{Direct, Room};
 use crate::scene::{Scene, Surface};
 use crate::solve::LostPower;
 use crate::ways::{Arrival, Chain, Met, Specular};
@@ -54,23 +54,26 @@ pub(super) struct SpecularTransport<'a> {
     scene: &'a Scene,
     direct: &'a Direct<'a>,
     rays: Specular<'a>,
+    elements: &'a Mesh,
+    locator: Locator,
     /// How many a whole hemicube sends onwards.
     density: f64,
 }
 
 impl<'a> SpecularTransport<'a> {
     /// What rays meet is told as a place on an element of the mesh.
-    pub fn new(
-        scene: &'a Scene,
+    pub fn new<'r: 'a>(
+        room: &'a Room<'r>,
         elements: &'a Mesh,
-        direct: &'a Direct<'a>,
     ) -> SpecularTransport<'a> {
+        let (scene, direct) = (room.scene, room.lamps());
         let pieces = elements.elements.iter();
         let pieces = pieces.map(|e| (elements.surface_of(e), &e.polygon));
+        let locator = Locator::of(scene, pieces);
         let bends = |s: &Surface| scene.material(s).shine().bends();
         let density = if scene.surfaces.iter().any(bends) { RAYS_BENT } else { RAYS };
-        let rays = Specular::of_pieces(scene, pieces);
-        SpecularTransport { scene, direct, rays, density }
+        let rays = Specular::through(scene, room.visibility(), room.solids());
+        SpecularTransport { scene, direct, rays, elements, locator, density }
     }
 
     /// Which patches rays go on from.
@@ -157,8 +160,8 @@ impl<'a> SpecularTransport<'a> {
                 seen.sky += weight * light;
             }
             Met::Cut => seen.lost.absorbed += weight,
-            Met::Surface { surface, piece, point, front } => {
-                let surface = &self.scene.surfaces[surface as usize];
+            Met::Surface { surface: id, point, front } => {
+                let surface = &self.scene.surfaces[id as usize];
                 let material = self.scene.material(surface);
                 if !front {
                     seen.lost.absorbed += weight; // of a front the irradiance tells
@@ -169,8 +172,11 @@ impl<'a> SpecularTransport<'a> {
                 if !self.direct.sums(&chain) {
                     seen.known += weight * material.emission();
                 }
-                if material.scattered() != Rgb::ZERO {
-                    let element = ElementId(piece);
+                let outline = |k: u32| &self.elements.element(ElementId(k)).polygon;
+                let element = self.locator.piece(id, point, outline).map(ElementId);
+                if let Some(element) =
+                    element.filter(|_| material.scattered() != Rgb::ZERO)
+                {
                     seen.known += weight * first.at(patches, element, point);
                     let patch = patches.levels.elements().element(element).patch;
                     let m: Moments = patches.hemicubes.moments_at(patch, point);

@@ -15,7 +15,7 @@ use super::{INSIDE, MOST_ROUNDS};
 use crate::form_factor::linear::{Linear, Moments, Slopes, sent};
 use crate::geometry::Rgb;
 use crate::mesh::{Backs, Mesh, PatchId, Place, TwoLevels};
-use crate::room::Direct;
+use crate::room::{Direct, Room};
 use crate::scene::Scene;
 use crate::solve::LostPower;
 use crate::work::Progress;
@@ -69,19 +69,19 @@ pub(super) struct System<'a> {
 
 impl<'a> System<'a> {
     /// The system, given the direct light at the vertices of the elements.
-    pub fn new(
-        scene: &'a Scene,
+    pub fn new<'r: 'a>(
+        room: &'a Room<'r>,
         levels: &'a TwoLevels<'a>,
         light: &[Rgb],
-        direct: &'a Direct<'a>,
         hemicube: u32,
     ) -> System<'a> {
+        let (scene, direct) = (room.scene, room.lamps());
         let followed = SpecularTransport::followed(scene, levels.patches());
         let hemicubes = Linear::new(levels, hemicube).following(followed);
         let patches = SmoothPatches::of(scene, levels, hemicubes);
         System {
             first: FirstBounce::of(scene, &patches, light, direct.sums_emitters()),
-            specular: SpecularTransport::new(scene, levels.elements(), direct),
+            specular: SpecularTransport::new(room, levels.elements()),
             mean_correction: vec![Rgb::ZERO; patches.enclosure.len()],
             rows: Vec::new(),
             patches,

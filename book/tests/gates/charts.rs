@@ -1,5 +1,5 @@
 //! Charts of measurements: each table is a suite's and dated, each chart shows something.
-//! That a chart is what its table says is seen in `book.rs`, with all generated files.
+//! That a chart is what its table says is seen in `sources.rs`, with all generated files.
 
 use radiosity::chart::{SUITES, read};
 use std::path::PathBuf;
@@ -14,7 +14,8 @@ fn data() -> PathBuf {
 fn every_table_says_where_it_comes_from() {
     for suite in &SUITES {
         let path = data().join(format!("{}.csv", suite.name));
-        let told = "is missing; `cargo run --release -- chart -o book/data` writes it";
+        let told = "is missing; `cargo run --release --features memory -- chart -o book/data` \
+                    writes it";
         let csv = fs::read_to_string(&path);
         let csv = csv.unwrap_or_else(|_| panic!("{} {told}", path.display()));
         let trials = read(&csv).unwrap_or_else(|e| panic!("{}: {e}", path.display()));

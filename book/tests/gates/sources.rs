@@ -22,7 +22,10 @@ fn entries() -> Vec<Entry> {
 }
 
 fn pages() -> Vec<String> {
-    entries().into_iter().filter_map(|entry| entry.page).collect()
+    let pages: Vec<String> =
+        entries().into_iter().filter_map(|entry| entry.page).collect();
+    assert!(!pages.is_empty(), "the summary names no page");
+    pages
 }
 
 fn all_fit(faults: Vec<String>) {
@@ -57,7 +60,9 @@ fn no_example_is_lost() {
 
 #[test]
 fn generated_files_are_fresh() {
-    let stale = generated::files()
+    let files = generated::files();
+    assert!(!files.is_empty(), "nothing is generated");
+    let stale = files
         .into_iter()
         .filter(|(path, text)| fs::read_to_string(path).ok().as_ref() != Some(text));
     let say = |(path, _): (PathBuf, _)| {

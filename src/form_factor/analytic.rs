@@ -42,7 +42,7 @@ use std::ops::Range;
 /// horizon of `p`. Either side of `to` counts.
 ///
 /// ```text
-/// F = 1/(2π) Σₖ γₖ  n · (Rₖ × Rₖ₊₁)/|Rₖ × Rₖ₊₁|        Rₖ = vertexₖ − p
+/// F = |1/(2π) Σₖ γₖ  n · (Rₖ₊₁ × Rₖ)/|Rₖ₊₁ × Rₖ||      Rₖ = vertexₖ − p
 /// ```
 /// with `γₖ` the angle between `Rₖ` and `Rₖ₊₁` (Lambert 1760; Baum et al. 1989).
 ///

@@ -4,5 +4,6 @@
 mod charts;
 mod failures;
 mod house;
+mod names;
 mod samples;
 mod sources;

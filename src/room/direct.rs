@@ -145,8 +145,8 @@ impl<'a> Direct<'a> {
 
     /// By how much the lamps' own light changes over an element, W/m²; 0 where nothing can
     /// hide them: there the gradient says enough.
-    // ANCHOR: rise
     pub fn rise(&self, element: &Polygon) -> Rgb {
+        // ANCHOR: rise
         let light = self.on(element);
         if light.is_free() {
             return Rgb::ZERO;
@@ -158,8 +158,8 @@ impl<'a> Direct<'a> {
         let none = [Rgb::INFINITY, Rgb::NEG_INFINITY];
         let [low, high] = values.fold(none, |[low, high], v| [low.min(v), high.max(v)]);
         high - low
+        // ANCHOR_END: rise
     }
-    // ANCHOR_END: rise
 
     /// The light on `piece`, a part of a surface: only what reaches into the shafts between
     /// it and the emitters is asked about.

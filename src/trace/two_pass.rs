@@ -90,8 +90,8 @@ impl<'s> TwoPass<'s> {
     /// Of what shows a diffuse surface first, the stored light is taken as
     /// [`Shot::smooth`] does; only where something shines are rays followed: none, if
     /// nothing does. Deterministic: the same at any number of threads.
-    // ANCHOR: picture
     pub fn picture(&self, shot: &Shot, progress: Progress) -> Shown {
+        // ANCHOR: picture
         let radiance = |first: &First, tally: &mut Tally| match first {
             First::Element(element, at) if self.is_stored(at) => {
                 let element = &self.mesh.elements[*element as usize];
@@ -103,8 +103,8 @@ impl<'s> TwoPass<'s> {
         };
         let (tree, mesh, seed) = (&self.tree, self.mesh, self.options.seed);
         expose(shot, &Looked { tree, mesh, seed }, &radiance, progress)
+        // ANCHOR_END: picture
     }
-    // ANCHOR_END: picture
 
     /// What comes against a ray.
     pub fn along(&self, ray: &Ray) -> Along {

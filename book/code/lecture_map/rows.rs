@@ -98,7 +98,7 @@ pub const ROWS: [Row; 23] = [
         lab: false,
         state: State::Done(Written {
             page: "pipeline.md",
-            module: "src/solution/classical.rs",
+            module: "src/field/classical.rs",
             figure: "pictures/pipeline-flat.snap.png",
             test: ("book/tests/pictures/equation.rs", "the_stages_hand_on_pictures"),
             lab: None,

@@ -2,7 +2,7 @@
 
 use super::{Camera, Face, FaceId, MaterialId, Scene, Side, Surface, overlap};
 use crate::geometry::{PolygonError, Rgb, split};
-use crate::material::{Material, Shine};
+use crate::material::Material;
 use std::collections::HashMap;
 use std::fmt;
 
@@ -147,7 +147,7 @@ impl Scene {
         }
         let passes = |s: &Surface| {
             let material = &materials[s.material.0 as usize];
-            matches!(material.shine(), Shine::Pane { .. })
+            material.shine().pane().is_some()
                 || material.translucence() != Rgb::ZERO
         };
         overlap::stand_before(&mut surfaces, &passes);

@@ -147,8 +147,7 @@ impl Scene {
         }
         let passes = |s: &Surface| {
             let material = &materials[s.material.0 as usize];
-            material.shine().pane().is_some()
-                || material.translucence() != Rgb::ZERO
+            material.shine().pane().is_some() || material.translucence() != Rgb::ZERO
         };
         overlap::stand_before(&mut surfaces, &passes);
         let surfaces = overlap::settled(surfaces, faces.len(), &passes, &mut warnings);

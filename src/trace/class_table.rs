@@ -14,7 +14,7 @@ use super::two_pass::{Look, TwoPass};
 use crate::field::{Fineness, Pass1, Smooth};
 use crate::film::{Picture, Shot};
 use crate::geometry::Rgb;
-use crate::material::{Coefficients, Material, Shine};
+use crate::material::{Coefficients, Material};
 use crate::mesh::Mesh;
 use crate::room::Room;
 use crate::scene::Scene;
@@ -154,7 +154,7 @@ impl Radiosities {
 /// both.
 fn variant(scene: &Scene, shines: bool, reflects: bool) -> Scene {
     let of = |material: &Material| {
-        let shine = if shines { material.shine() } else { Shine::default() };
+        let shine = if shines { material.shine() } else { Default::default() };
         // Of panes and glass, what is not diffuse passes: to change one changes both.
         if shine.passes() {
             return material.clone();

@@ -6,9 +6,9 @@ use super::lamps::{Lamps, Panes};
 use super::tree::{Limits, Tally, Tree};
 use crate::film::Shot;
 use crate::geometry::{Polygon, Ray, Rgb};
+use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::room::Room;
-use crate::visibility::{Hit, Visibility};
 use crate::ways::{Media, Meeting, straight};
 use crate::work::Progress;
 use glam::DVec3;
@@ -28,8 +28,7 @@ pub struct Whitted<'s> {
     /// One element for each surface: what the eye sees first is looked up.
     mesh: Mesh,
     lamps: Lamps,
-    panes: Visibility,
-    of_pane: Vec<u32>,
+    has_panes: bool,
     /// `A`, W/m²: irradiance that is the same everywhere; 0 unless it is set.
     pub ambient: Rgb,
 }
@@ -38,18 +37,11 @@ impl<'s> Whitted<'s> {
     /// Of a scene.
     pub fn of(room: &Room<'s>, limits: Limits) -> Whitted<'s> {
         let scene = room.scene;
-        let is_pane = |k: &u32| {
-            let surface = &scene.surfaces[*k as usize];
-            scene.material(surface).shine().pane().is_some()
-        };
-        let of_pane: Vec<u32> =
-            (0..scene.surfaces.len() as u32).filter(is_pane).collect();
-        let polygon = |&k: &u32| &scene.surfaces[k as usize].polygon;
-        let panes = Visibility::new(of_pane.iter().map(polygon));
+        let has_panes = scene.surfaces.iter().any(|s| is_pane(scene.material(s)));
         let mesh = Mesh::whole(scene);
         let lamps = Lamps::of(scene, Panes::Pass, |_| true);
         let tree = Tree::of(room, limits);
-        Whitted { tree, mesh, lamps, panes, of_pane, ambient: Rgb::ZERO }
+        Whitted { tree, mesh, lamps, has_panes, ambient: Rgb::ZERO }
     }
 
     /// What a camera sees. Deterministic: the same at any number of threads.
@@ -96,17 +88,18 @@ impl<'s> Whitted<'s> {
         let (mut share, mut leaving) = (Rgb::ONE, None);
         let mut ray = Ray { origin: x, direction: (y - x).normalize() };
         let (mut left, mut media) = (x.distance(y), Media::default());
-        while let Some(hit) = self.panes.closest(&ray, leaving) {
+        while self.has_panes
+            && let Some(hit) = self.tree.visibility.closest(&ray, leaving)
+        {
             left -= hit.distance;
             if left <= 0.0 {
                 break;
             }
-            let pane = Hit { item: self.of_pane[hit.item as usize], ..hit };
-            let met = Meeting::of(self.tree.scene, &self.tree.solids, &ray, &pane);
-            let (passed, _) = straight(&met, &mut media).unwrap_or((Rgb::ZERO, 0.0));
-            share *= passed;
-            ray.origin = met.point;
-            leaving = Some(hit.item);
+            let met = Meeting::of(self.tree.scene, &self.tree.solids, &ray, &hit);
+            if is_pane(met.material) {
+                share *= straight(&met, &mut media).map_or(Rgb::ZERO, |(t, _)| t);
+            } // what else hides a part of the lamp is cut out of it
+            (ray.origin, leaving) = (met.point, Some(hit.item));
         }
         share
     }
@@ -116,4 +109,8 @@ impl<'s> Whitted<'s> {
         let lamps = glossy.of_lamps(&self.lamps, tally.offset());
         lamps + glossy.albedo() * self.ambient / PI
     }
+}
+
+fn is_pane(material: &Material) -> bool {
+    material.shine().pane().is_some()
 }

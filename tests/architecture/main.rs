@@ -220,7 +220,6 @@ fn input_cannot_make_it_panic() {
     assert_eq!(used.len(), allowed.len(), "an excuse that nobody needs: {used:?}");
 }
 
-/// What a surface does besides scattering diffusely is told in one place: whoever follows
 /// rays asks `ways`, all others ask the material. Only files and built-in scenes name it.
 #[test]
 fn only_ways_reads_what_shines() {

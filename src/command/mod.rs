@@ -11,7 +11,6 @@ mod chart;
 mod compare;
 mod compare_page;
 mod explain;
-mod face_matrix;
 mod form_factors;
 mod methods;
 mod output;
@@ -20,7 +19,6 @@ mod render;
 mod scenes;
 mod sky;
 mod solve;
-mod tables;
 mod told;
 mod values;
 
@@ -145,7 +143,7 @@ impl Source {
         let obj = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj"));
         let mut scene = if obj || path.components().count() > 1 || path.is_file() {
             let (scene, warnings) = obj::load(path)?;
-            warnings.iter().for_each(|warning| terminal.warn(warning));
+            warnings.iter().for_each(|warning| terminal.warn(&warning.to_string()));
             scene
         } else {
             built_in(&self.scene).map_err(|error| match error {

@@ -35,6 +35,16 @@
 //! glass need no `Ks`: Fresnel's law reflects.
 //! Everything that is ignored although it changes the light is warned of.
 //!
+//! ```
+//! use radiosity::obj;
+//! use std::{io, path::Path};
+//! let text = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n";
+//! let nothing = |_: &Path| Err(io::ErrorKind::NotFound.into());
+//! let (scene, warnings) = obj::read(Path::new("a.obj"), text.as_bytes(), nothing).unwrap();
+//! assert_eq!(scene.face_areas(), [2.0]);
+//! assert_eq!(warnings[0].to_string(), "a.obj: faces without `usemtl`: 1; they reflect 0.5");
+//! ```
+//!
 //! **Not here:** curves and surfaces, the patterns of textures.
 //! Chapter *The pipeline* (L08). Sources: Wavefront, *Object Files* and *MTL* (1995).
 
@@ -45,12 +55,14 @@ mod mtl;
 mod scan;
 mod sky;
 mod solid;
+mod warning;
 
 pub use export::export;
+pub use warning::{Cause, Warning};
 
 use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material};
-use crate::scene::{Face, FaceId, MaterialId, Scene, SceneError, Warning};
+use crate::scene::{Face, FaceId, MaterialId, Scene, SceneError};
 use glam::DVec3;
 use std::path::{Path, PathBuf};
 use std::{fmt, fs, io};
@@ -102,14 +114,14 @@ fn at(file: &Path, line: Option<usize>) -> String {
 
 /// Reads an OBJ file and the MTL files that it names.
 ///
-/// Returns the scene, named as the file without its extension, and one sentence for each
+/// Returns the scene, named as the file without its extension, and a [`Warning`] of each
 /// thing that was repaired or ignored. A scene without any emitter is returned as it is.
 ///
 /// # Errors
 /// When a file cannot be read, is no text, or has a statement that makes no sense; when a
 /// corner is missing or not finite, a face has no area or crosses itself; when a material
 /// is missing or not passive. The error names file, line, value and remedy.
-pub fn load(path: impl AsRef<Path>) -> Result<(Scene, Vec<String>), ObjError> {
+pub fn load(path: impl AsRef<Path>) -> Result<(Scene, Vec<Warning>), ObjError> {
     let path = path.as_ref();
     let bytes = fs::read(path).map_err(|error| {
         ObjError::new(path, None, format!("cannot be read ({error}); check the path"))
@@ -125,7 +137,7 @@ pub fn read(
     path: &Path,
     bytes: &[u8],
     open: impl Fn(&Path) -> io::Result<Vec<u8>>,
-) -> Result<(Scene, Vec<String>), ObjError> {
+) -> Result<(Scene, Vec<Warning>), ObjError> {
     let scan = scan::scan(path, bytes)?;
     let used = scan.uses.iter().map(|(name, _)| &name[..]).collect();
     let mut library = mtl::read(path, &scan.libraries, &used, &open)?;
@@ -147,21 +159,16 @@ pub fn read(
             }
             error => ObjError::new(path, None, error),
         })?;
-    warnings.extend(repairs.iter().map(|repair| {
-        let what = match repair {
-            Warning::Split { .. } => repair.to_string(),
-            Warning::Covered { by, .. } => {
-                format!("{repair}; face {} is on line {}", by.0, line(*by))
-            }
-        };
-        format!("{}{what}", at(path, Some(line(repair.face()))))
+    warnings.extend(repairs.into_iter().map(|repair| {
+        let by = repair.by().map(line);
+        Warning::new(path, line(repair.face()), Cause::Face { repair, by })
     }));
     if let Some((text, line)) = &scan.sky {
         let folder = path.parent().unwrap_or(Path::new(""));
         scene.sky = sky::read(text, folder, &open)
             .map_err(|message| ObjError::new(path, *line, message))?;
         if scene.sky.is_none() {
-            warnings.push(at(path, Some(*line)) + sky::NOT_UNDERSTOOD);
+            warnings.push(Warning::new(path, *line, Cause::Sky));
         }
     }
     Ok((scene, abridged(path, warnings)))
@@ -185,7 +192,7 @@ fn add_default(
     path: &Path,
     faces: &[Face],
     materials: &mut Vec<Material>,
-) -> Result<Option<String>, ObjError> {
+) -> Result<Option<Warning>, ObjError> {
     let default = MaterialId(materials.len() as u32);
     let unnamed = faces.iter().filter(|face| face.material == default).count();
     if unnamed == 0 {
@@ -195,18 +202,15 @@ fn add_default(
     let coefficients = Coefficients { diffuse, ..Default::default() };
     let grey = Material::new("default", coefficients);
     materials.push(grey.map_err(|error| ObjError::new(path, None, error))?);
-    Ok(Some(format!(
-        "{}faces without `usemtl`: {unnamed}; they reflect {DEFAULT_REFLECTANCE}",
-        at(path, None)
-    )))
+    Ok(Some(Warning::new(path, None, Cause::NoMaterial { faces: unnamed })))
 }
 
 /// The first warnings, and how many more there are.
-fn abridged(path: &Path, mut warnings: Vec<String>) -> Vec<String> {
+fn abridged(path: &Path, mut warnings: Vec<Warning>) -> Vec<Warning> {
     if warnings.len() > MOST_WARNINGS {
-        let more = warnings.len() - MOST_WARNINGS;
+        let more = Cause::More { warnings: warnings.len() - MOST_WARNINGS };
         warnings.truncate(MOST_WARNINGS);
-        warnings.push(format!("{}{more} more warnings like these", at(path, None)));
+        warnings.push(Warning::new(path, None, more));
     }
     warnings
 }

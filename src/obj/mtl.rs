@@ -2,7 +2,7 @@
 
 use super::lines::{Statement, numbers, shown, statements, without_comment};
 use super::map::{self, Maps};
-use super::{ObjError, at};
+use super::{Cause, ObjError, Warning};
 use crate::geometry::Rgb;
 use crate::material::{Coefficients, Material, MaterialError, Shine};
 use std::collections::{HashMap, HashSet};
@@ -23,9 +23,9 @@ pub(super) struct Library {
     /// As tobj has them.
     raw: Vec<tobj::Material>,
     /// Warnings about materials that count only when they are used.
-    notes: Vec<(usize, String)>,
+    notes: Vec<(usize, Warning)>,
     /// Warnings that count always.
-    warnings: Vec<String>,
+    warnings: Vec<Warning>,
 }
 
 /// Reads the MTL files `named` by the OBJ file `obj`, each once, and the textures of the
@@ -86,7 +86,7 @@ struct MtlScan {
     places: Vec<LinePlace>,
     /// For each material, where its keys stand.
     keys: Vec<HashMap<String, LinePlace>>,
-    warnings: Vec<String>,
+    warnings: Vec<Warning>,
 }
 
 impl MtlScan {
@@ -164,18 +164,17 @@ impl MtlScan {
                     },
                 );
             let material = passive(raw, diffuse?, emission?).map_err(failed)?;
-            notes.extend(self::notes(raw, &material).into_iter().map(|(key, note)| {
-                let (file, line) = find(key);
-                (k, format!("{}material `{}` {note}", at(file, Some(*line)), raw.name))
-            }));
+            notes.extend(self::notes(raw, &material).into_iter().map(
+                |(key, cause)| {
+                    let (file, line) = find(key);
+                    (k, Warning::new(file, *line, cause))
+                },
+            ));
             materials.push(material);
             if index[&raw.name] != k {
                 let (file, line) = &places[k];
-                warnings.push(format!(
-                    "{}material `{}` is defined again below; the last one counts",
-                    at(file, Some(*line)),
-                    raw.name
-                ));
+                let cause = Cause::Redefined { material: raw.name.clone() };
+                warnings.push(Warning::new(file, *line, cause));
             }
         }
         Ok(Library { materials, index, raw, notes, warnings })
@@ -200,7 +199,7 @@ impl Library {
     }
 
     /// What is to be said, given which materials are `used`.
-    pub fn warnings(&self, used: &[bool]) -> Vec<String> {
+    pub fn warnings(&self, used: &[bool]) -> Vec<Warning> {
         let notes = self.notes.iter().filter(|(k, _)| used[*k]).map(|(_, note)| note);
         self.warnings.iter().chain(notes).cloned().collect()
     }
@@ -340,41 +339,34 @@ fn given(raw: &tobj::Material, key: &str) -> Option<Vec<f64>> {
     numbers(raw.unknown_param.get(key)?).ok()
 }
 
-/// What of the material is ignored although it is given.
-fn notes(raw: &tobj::Material, material: &Material) -> Vec<Note> {
+/// What of the material is ignored although it is given, and by which key.
+fn notes(raw: &tobj::Material, material: &Material) -> Vec<(&'static str, Cause)> {
     let mut notes = Vec::new();
-    let mut note = |when: bool, key: &'static str, what: String| {
-        if when {
-            notes.push((key, what));
-        }
-    };
+    let name = || raw.name.clone();
     let glass = is_glass(raw);
-    let opaque = "is partly transparent but no glass (illum 4, 6, 7 or 9); it is taken as \
-                  opaque";
-    note(!glass && raw.dissolve.is_some_and(|d| d != 1.0), "d", opaque.into());
     let given = |key: &str| given(raw, key).unwrap_or_default();
-    note(!glass && given("Tr").iter().any(|x| *x != 0.0), "Tr", opaque.into());
     // Exporters write 1 for clear, and 0 for what lets nothing through.
     let tinted = given("Tf").iter().any(|x| *x != 0.0 && *x != 1.0);
-    note(!glass && tinted, "Tf", opaque.into());
-    let mirrored = rgb(raw.specular);
-    let fresnel = format!(
-        "has Ks {}, which is ignored: glass reflects as Fresnel's law says",
-        tuple(mirrored)
-    );
-    note(glass && mirrored != Rgb::ZERO, "Ks", fresnel);
-    for (key, constant, value) in
+    for (key, passes) in [
+        ("d", raw.dissolve.is_some_and(|d| d != 1.0)),
+        ("Tr", given("Tr").iter().any(|x| *x != 0.0)),
+        ("Tf", tinted),
+    ] {
+        if passes && !glass {
+            notes.push((key, Cause::Opaque { material: name() }));
+        }
+    }
+    let reflectance = rgb(raw.specular);
+    if glass && reflectance != Rgb::ZERO {
+        notes.push(("Ks", Cause::Fresnel { material: name(), reflectance }));
+    }
+    for (map, key, value) in
         [("map_Kd", "Kd", material.diffuse()), ("map_Ke", "Ke", material.emission())]
     {
-        if let Some(map) = texture(raw, key) {
-            let (map, value) = (shown(map), tuple((1e4 * value).round() / 1e4));
-            let what = format!("has a texture `{map}`, of which the mean counts");
-            note(true, key, format!("{what}, not the pattern: {constant} {value}"));
+        if let Some(texture) = texture(raw, map) {
+            let texture = texture.into();
+            notes.push((map, Cause::Texture { material: name(), texture, key, value }));
         }
     }
     notes
-}
-
-fn tuple(c: Rgb) -> String {
-    format!("({}, {}, {})", c.x, c.y, c.z)
 }

@@ -1,7 +1,7 @@
 //! Checks the statements of an OBJ file and writes the plain copy that tobj reads.
 
 use super::lines::{Statement, numbers, shown, statements, without_comment};
-use super::{ObjError, at};
+use super::{Cause, ObjError, Warning};
 use crate::scene::Camera;
 use glam::DVec3;
 use std::fmt::Write;
@@ -23,7 +23,7 @@ pub(super) struct Scan {
     /// The sky, if a comment gives one, and the line of it.
     pub sky: Option<(String, usize)>,
     /// What was ignored.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// Statements that do not change the light: indices, groups, display.
@@ -84,7 +84,8 @@ pub(super) fn scan(file: &Path, bytes: &[u8]) -> Result<Scan, ObjError> {
             _ if HARMLESS.contains(&key) => {}
             _ if unknown.iter().any(|known| known == key) => {}
             _ => {
-                scan.warnings.push(not_read(file, &statement));
+                let cause = Cause::NotRead { key: shown(key) };
+                scan.warnings.push(Warning::new(file, statement.line, cause));
                 unknown.push(key.into());
             }
         }
@@ -115,22 +116,10 @@ impl Scan {
         if let Some(camera) = camera.filter(|text| text.starts_with("eye ")) {
             self.camera = parse_camera(camera);
             if self.camera.is_none() {
-                self.warnings.push(format!(
-                    "{}this camera is not understood and ignored; write `# camera \
-                     eye x y z target x y z up x y z fov degrees`",
-                    at(file, Some(statement.line))
-                ));
+                self.warnings.push(Warning::new(file, statement.line, Cause::Camera));
             }
         }
     }
-}
-
-fn not_read(file: &Path, statement: &Statement) -> String {
-    let key = shown(statement.key().0);
-    format!(
-        "{}`{key}` statements are not read; only flat faces (`f`) are",
-        at(file, Some(statement.line))
-    )
 }
 
 /// The three coordinates, in words; more numbers (weight, colour) are dropped.

@@ -14,10 +14,6 @@ use glam::DVec3;
 use std::io;
 use std::path::Path;
 
-/// What is said of a line that is none of these.
-pub(super) const NOT_UNDERSTOOD: &str = "this sky is not understood and ignored; write `# sky uniform r g b up x y z`, or \
-     `# sky overcast r g b up x y z`, or `# sky panorama up x y z file NAME.hdr`";
-
 /// The line for `sky`, whose panorama, if it is one, is in `file`.
 pub(super) fn line(sky: &Sky, file: &str) -> String {
     let triple = |v: DVec3| format!("{} {} {}", v.x, v.y, v.z);

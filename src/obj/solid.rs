@@ -1,6 +1,6 @@
 //! Solids of glass: are they closed, and do their normals lead outwards?
 
-use super::at;
+use super::{Cause, Warning};
 use crate::material::{Material, Shine};
 use crate::scene::{Face, MaterialId};
 use glam::DVec3;
@@ -17,7 +17,7 @@ pub(super) fn warnings(
     faces: &[Face],
     materials: &[Material],
     line: impl Fn(usize) -> usize,
-) -> Vec<String> {
+) -> Vec<Warning> {
     let solid = |id: MaterialId| {
         let shine = materials.get(id.0 as usize).map(Material::shine);
         matches!(shine, Some(Shine::Glass { .. }))
@@ -39,18 +39,15 @@ pub(super) fn warnings(
             continue;
         }
         told.push(id);
-        let what = if open {
-            "does not close: this face has an edge that no other face meets; close it, or \
-             write illum 4 for a thin pane"
+        let material = materials[id].name().into();
+        let cause = if open {
+            Cause::Open { material }
         } else if volume(faces.iter().filter(|face| face.material == id)) < 0.0 {
-            "is inside out: the corners of its faces must run counter-clockwise seen from \
-             outside; turn them round"
+            Cause::InsideOut { material }
         } else {
             continue;
         };
-        let name = materials[id].name();
-        let at = at(path, Some(line(k)));
-        warnings.push(format!("{at}the solid of `{name}` (illum 6 or 7) {what}"));
+        warnings.push(Warning::new(path, line(k), cause));
     }
     warnings
 }

@@ -9,7 +9,7 @@ use std::fmt;
 /// What was repaired on the way from faces to surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Warning {
+pub enum Repair {
     /// A face was not convex or not planar, and is several surfaces now.
     Split {
         /// Which face.
@@ -30,19 +30,27 @@ pub enum Warning {
     },
 }
 
-impl Warning {
+impl Repair {
     /// The face that was changed.
     pub fn face(&self) -> FaceId {
         match *self {
-            Warning::Split { face, .. } | Warning::Covered { face, .. } => face,
+            Repair::Split { face, .. } | Repair::Covered { face, .. } => face,
+        }
+    }
+
+    /// The face that it had to give way to.
+    pub fn by(&self) -> Option<FaceId> {
+        match *self {
+            Repair::Split { .. } => None,
+            Repair::Covered { by, .. } => Some(by),
         }
     }
 }
 
-impl fmt::Display for Warning {
+impl fmt::Display for Repair {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Warning::Split { face, pieces, reason } => {
+            Repair::Split { face, pieces, reason } => {
                 let what = match reason {
                     PolygonError::NotPlanar(off) => {
                         format!("not planar (off by {off:.3e})")
@@ -55,7 +63,7 @@ impl fmt::Display for Warning {
                     face.0
                 )
             }
-            Warning::Covered { face, by, area } => write!(
+            Repair::Covered { face, by, area } => write!(
                 f,
                 "face {} overlaps the smaller face {} in one plane, both looking the same \
                  way; the part beneath (area {area:.6}) was cut out of it",
@@ -120,7 +128,7 @@ impl Scene {
         materials: Vec<Material>,
         faces: Vec<Face>,
         camera: Option<Camera>,
-    ) -> Result<(Scene, Vec<Warning>), SceneError> {
+    ) -> Result<(Scene, Vec<Repair>), SceneError> {
         if faces.is_empty() {
             return Err(SceneError::NoFaces);
         }
@@ -134,7 +142,7 @@ impl Scene {
             if let (pieces @ 2.., Err(reason)) =
                 (polygons.len(), crate::geometry::Polygon::new(outline.clone()))
             {
-                warnings.push(Warning::Split { face, pieces, reason });
+                warnings.push(Repair::Split { face, pieces, reason });
             }
             let surface = |polygon| Surface {
                 polygon,

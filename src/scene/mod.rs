@@ -15,6 +15,18 @@
 //! | [`built_in`]        | a name; [`builtins`] lists them                     |
 //! | [`crate::obj`]      | a file                                              |
 //!
+//! ```
+//! use radiosity::glam::DVec3;
+//! use radiosity::material::Material;
+//! use radiosity::scene::{Face, MaterialId, Scene, built_in};
+//! let outline = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+//! let faces = vec![Face { outline, material: MaterialId(0) }];
+//! let made = Scene::assemble("square", vec![Material::black("soot")], faces, None);
+//! let (scene, repairs) = made.unwrap();
+//! assert_eq!((scene.face_areas(), repairs.len()), (vec![1.0], 0));
+//! assert!(built_in("cornell").unwrap().has_emitter());
+//! ```
+//!
 //! **Not here:** subdivision into patches and elements ([`crate::mesh`]); reading files
 //! ([`crate::obj`]). Chapter *The pipeline* (L08). Sources: Goral et al. 1984; those of the
 //! Cornell box stand by it.
@@ -25,7 +37,7 @@ mod camera;
 mod dulled;
 mod overlap;
 
-pub use assemble::{SceneError, Warning};
+pub use assemble::{Repair, SceneError};
 pub use builtin::{BuiltIn, BuiltInError, built_in, builtins};
 pub use camera::Camera;
 

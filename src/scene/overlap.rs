@@ -7,7 +7,7 @@
 //! A face that lets light through takes nothing from what lies in its plane: a pane on a
 //! lamp stands before it, and light meets both.
 
-use super::{FaceId, Surface, Warning};
+use super::{FaceId, Repair, Surface};
 use crate::geometry::{Plane, Polygon, bounds};
 use glam::{DAffine3, DVec3};
 use std::collections::HashMap;
@@ -24,7 +24,7 @@ pub(super) fn settled(
     surfaces: Vec<Surface>,
     faces: usize,
     passes: &dyn Fn(&Surface) -> bool,
-    warnings: &mut Vec<Warning>,
+    warnings: &mut Vec<Repair>,
 ) -> Vec<Surface> {
     let mut pairs = overlapping(&surfaces, &|a, b| a.dot(b) > SAME);
     pairs.retain(|&(i, j)| passes(&surfaces[i]) == passes(&surfaces[j]));
@@ -60,7 +60,7 @@ pub(super) fn settled(
         let piece = |(polygon, _)| Surface { polygon, ..surface.clone() };
         left.extend(pieces.into_iter().map(piece));
     }
-    warnings.extend(lost.into_iter().map(|(face, by, area)| Warning::Covered {
+    warnings.extend(lost.into_iter().map(|(face, by, area)| Repair::Covered {
         face,
         by,
         area,

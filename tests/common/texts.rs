@@ -8,10 +8,17 @@ use std::path::{Path, PathBuf};
 
 /// Reads `obj` as `room.obj`, beside which there is only `room.mtl`.
 pub fn read(obj: &str, mtl: &str) -> Result<(Scene, Vec<String>), obj::ObjError> {
-    obj::read(Path::new("room.obj"), obj.as_bytes(), |path| match path.to_str() {
-        Some("room.mtl") => Ok(mtl.into()),
-        _ => Err(io::ErrorKind::NotFound.into()),
-    })
+    let read =
+        obj::read(Path::new("room.obj"), obj.as_bytes(), |path| match path.to_str() {
+            Some("room.mtl") => Ok(mtl.into()),
+            _ => Err(io::ErrorKind::NotFound.into()),
+        });
+    read.map(|(scene, warnings)| (scene, words(&warnings)))
+}
+
+/// What the warnings say.
+pub fn words(warnings: &[obj::Warning]) -> Vec<String> {
+    warnings.iter().map(|warning| warning.to_string()).collect()
 }
 
 pub fn sound(obj: &str, mtl: &str) -> (Scene, Vec<String>) {

@@ -210,7 +210,7 @@ pub fn fans() -> Sweep {
         let text: String = outline.iter().map(corner).collect();
         let text = text + "f 1 2 3 4 5\n";
         let (scene, warnings) = read(&text, "").unwrap();
-        assert!(warnings.iter().any(|w| w.contains("line 6")), "{warnings:?}");
+        assert!(warnings.iter().any(|w| w.line == Some(6)), "{warnings:?}");
         scene.surfaces.iter().map(|s| s.polygon.area()).sum()
     };
     let depths: Vec<f64> = (1..10).map(|k| f64::from(k) / 10.0).collect();
@@ -233,7 +233,7 @@ pub fn fans() -> Sweep {
 }
 
 /// Reads `obj` as `room.obj`, beside which there is only `room.mtl`.
-pub fn read(obj: &str, mtl: &str) -> Result<(Scene, Vec<String>), obj::ObjError> {
+pub fn read(obj: &str, mtl: &str) -> Result<(Scene, Vec<obj::Warning>), obj::ObjError> {
     obj::read(Path::new("room.obj"), obj.as_bytes(), |path| match path.to_str() {
         Some("room.mtl") => Ok(mtl.into()),
         _ => Err(io::ErrorKind::NotFound.into()),

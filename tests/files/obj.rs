@@ -3,7 +3,7 @@
 use crate::common::texts::{SQUARE, folder, message, sound};
 use glam::{DVec3, dvec3};
 use radiosity::material::{Coefficients, Material, Shine};
-use radiosity::obj;
+use radiosity::obj::{self, Cause};
 use radiosity::scene::{Face, FaceId, MaterialId, Scene, SceneError, builtins};
 
 // --- What is read -------------------------------------------------------------------
@@ -109,8 +109,29 @@ fn comments_behind_statements_are_not_read() {
 #[test]
 fn a_scene_with_comments_is_read() {
     let (scene, warnings) = obj::load("tests/data/house/ill.obj").unwrap();
-    assert_eq!(warnings, [""; 0]);
+    assert_eq!(warnings, []);
     assert_eq!(scene.materials[0].diffuse(), DVec3::splat(0.7));
+}
+
+/// Programs match on the cause and the place, people read the sentence.
+#[test]
+fn warnings_have_a_cause_and_a_place() {
+    let file = folder("warned").join("room.obj");
+    let text = format!("{SQUARE}f 1 2 3 4\nv 0.5 0.5 0\ncurv 0 1\nf 1 2 5\n");
+    std::fs::write(&file, text).unwrap();
+    let (_, warnings) = obj::load(&file).unwrap();
+    let found: Vec<_> = warnings.iter().map(|w| (w.line, &w.cause)).collect();
+    let [
+        (Some(7), Cause::NotRead { key }),
+        (None, Cause::NoMaterial { faces: 2 }),
+        last,
+    ] = &found[..]
+    else {
+        panic!("{found:?}");
+    };
+    assert_eq!(key, "curv");
+    assert!(matches!(last, (Some(5), Cause::Face { by: Some(8), .. })), "{last:?}");
+    assert!(warnings.iter().all(|w| w.file == file));
 }
 
 #[test]
@@ -176,7 +197,7 @@ fn materials_of_any_name_come_back() {
     assert_eq!(names, ["a b", "a b-2", "material"]);
     assert_eq!(back.materials[1].shine().reflectance(), DVec3::splat(0.5));
     assert_eq!(back.surfaces, scene.surfaces);
-    assert_eq!(warnings, Vec::<String>::new());
+    assert_eq!(warnings, []);
 }
 
 #[test]

@@ -9,7 +9,10 @@ use std::path::Path;
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 /// Reads `obj` as `room.obj`, beside which there is only `room.mtl`.
-fn read_bytes(obj: &[u8], mtl: &[u8]) -> Result<(Scene, Vec<String>), obj::ObjError> {
+fn read_bytes(
+    obj: &[u8],
+    mtl: &[u8],
+) -> Result<(Scene, Vec<obj::Warning>), obj::ObjError> {
     obj::read(Path::new("room.obj"), obj, |path| match path.to_str() {
         Some("room.mtl") => Ok(mtl.to_vec()),
         _ => Err(io::ErrorKind::NotFound.into()),

@@ -4,7 +4,7 @@ use glam::{DQuat, DVec3, dvec3};
 use proptest::prelude::*;
 use radiosity::geometry::Polygon;
 use radiosity::material::{Coefficients, Material};
-use radiosity::scene::{Face, FaceId, MaterialId, Scene, Warning};
+use radiosity::scene::{Face, FaceId, MaterialId, Repair, Scene};
 
 type Rectangle = (f64, f64, f64, f64); // x, y, width, height
 
@@ -15,7 +15,7 @@ fn at((x, y, w, h): Rectangle, z: f64) -> Vec<DVec3> {
         .to_vec()
 }
 
-fn assemble(outlines: Vec<Vec<DVec3>>) -> (Scene, Vec<Warning>) {
+fn assemble(outlines: Vec<Vec<DVec3>>) -> (Scene, Vec<Repair>) {
     let grey = Material::new("grey", Coefficients::default()).unwrap();
     let face = |outline| Face { outline, material: MaterialId(0) };
     let faces = outlines.into_iter().map(face).collect();
@@ -33,7 +33,7 @@ fn a_poster_cuts_the_wall() {
     let (scene, warnings) =
         assemble(vec![at((0.0, 0.0, 4.0, 3.0), 0.0), at((1.0, 1.0, 1.0, 1.0), 0.0)]);
     assert_eq!(scene.face_areas(), [11.0, 1.0]);
-    let expected = Warning::Covered { face: FaceId(0), by: FaceId(1), area: 1.0 };
+    let expected = Repair::Covered { face: FaceId(0), by: FaceId(1), area: 1.0 };
     assert_eq!(warnings, [expected]);
     assert_eq!(
         warnings[0].to_string(),

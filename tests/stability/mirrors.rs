@@ -12,7 +12,7 @@ use glam::DVec3;
 use radiosity::form_factor::analytic::lambert_polygon;
 use radiosity::geometry::Rgb;
 use radiosity::material::{Coefficients, Material, Shine};
-use radiosity::scene::{Face, MaterialId, Scene, Warning};
+use radiosity::scene::{Face, MaterialId, Repair, Scene};
 use radiosity::virtual_world::VirtualWorld;
 
 /// Row 60: one level of four perfect mirrors misses 42 %; of two 8.7 %, and what is
@@ -126,7 +126,7 @@ fn row_67_a_twisted_mirror_is_two_flat_ones() {
     let face = Face { outline, material: MaterialId(0) };
     let (scene, warnings) =
         Scene::assemble("twisted", vec![mirror], vec![face], None).unwrap();
-    assert!(matches!(warnings[..], [Warning::Split { pieces: 2, .. }]), "{warnings:?}");
+    assert!(matches!(warnings[..], [Repair::Split { pieces: 2, .. }]), "{warnings:?}");
     let world = VirtualWorld::of(&scene, 1);
     let [a, b] = world.mirrors() else { panic!("{} mirrors", world.mirrors().len()) };
     let apart = a.outline.normal().angle_between(b.outline.normal());

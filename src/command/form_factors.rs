@@ -1,14 +1,14 @@
 //! `radiosity form-factors`: the matrix between the faces of a scene.
 
-use super::face_matrix::{FaceMatrix, Wanted, compute, is_open};
 use super::output::{Refusal, Terminal, check_writable, extension, write_by};
 use super::solve::{FactorMethod, samples};
 use super::{Source, values};
 use clap::Args;
-use radiosity::form_factor::{Closing, close};
+use radiosity::form_factor::{Closing, FaceFactors, FaceMatrix, between_faces};
 use radiosity::scene::Scene;
-use serde_json::json;
-use std::io::{self, Write};
+use radiosity::tables;
+use radiosity::work::Work;
+use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -47,14 +47,6 @@ pub struct FormFactors {
 /// The matrix of more faces would not fit: up to 40 bytes for each pair that see each other.
 const MOST_FACES: usize = 20_000;
 
-/// What a matrix says of itself.
-struct Check {
-    /// `max |1 − ΣF|` over the faces that have an area.
-    closure: f64,
-    /// `max |A_i F_ij − A_j F_ji| / max(A_i, A_j)`.
-    reciprocity: f64,
-}
-
 impl FormFactors {
     /// Computes and writes.
     pub fn run(&self, seed: u64, terminal: &Terminal) -> Result<(), Refusal> {
@@ -66,9 +58,14 @@ impl FormFactors {
             }
             None => None,
         };
-        let tolerance = values::positive("--tolerance", self.tolerance)?;
-        let samples = samples(self.samples, self.method)?;
-        let scene = self.source.load(terminal)?.bare_geometry();
+        let error = values::positive("--tolerance", self.tolerance)?;
+        let how = match (self.method, samples(self.samples, self.method)?) {
+            (FactorMethod::Auto | FactorMethod::Analytic, _) => FaceFactors::Analytic,
+            (FactorMethod::Hemicube, _) => FaceFactors::Hemicube,
+            (FactorMethod::Sampling, None) => FaceFactors::Sampling,
+            (FactorMethod::Sampling, Some(rays)) => FaceFactors::Rays(rays),
+        };
+        let scene = self.source.load(terminal)?;
         let faces = scene.faces.len().max(scene.surfaces.len());
         if faces > MOST_FACES {
             return Err(Refusal(format!(
@@ -78,58 +75,20 @@ impl FormFactors {
             )));
         }
         let start = Instant::now();
-        let wanted = Wanted { method: self.method, tolerance, samples, seed };
-        let mut matrix = compute(&scene, &wanted, terminal);
+        let progress = |what, done, all| terminal.progress(what, done, all);
+        let mut matrix =
+            between_faces(&scene, how, error, seed, &Work::told(&progress));
         let seconds = start.elapsed().as_secs_f64();
-        let open = is_open(&scene, seed);
-        let closing = self.closed(&scene, &mut matrix, open)?;
-        let Check { closure, reciprocity } = check(&scene, &matrix);
-        // In a closed scene the rows must sum to one: what they miss, factors are off.
-        let missed = closing.map_or(closure, |closing| closing.before);
-        let error = if open { matrix.error } else { matrix.error.max(missed) };
-
-        let n = matrix.rows.len();
-        let mut text = format!(
-            "{}: {n} x {n} form factors, {}, {seconds:.1} s\n\
-             rows sum to one but for {closure:.3e}{}\n\
-             reciprocal but for {reciprocity:.3e}\n\
-             a factor is off by {error:.1e} at the most, as estimated; asked for: \
-             {tolerance:.1e}\n",
-            scene.name,
-            if open { "open" } else { "closed" },
-            if open { ", the most that escapes a face" } else { "" },
-        );
-        if let Some(Closing { before, change, .. }) = closing {
-            text += &format!(
-                "--close: rows summed to one but for {before:.3e}; the largest change of a \
-                 factor is {change:.3e}\n"
-            );
-        }
+        let closing = self.closed(&scene, &mut matrix)?;
+        let mut text = self.text(&scene, &matrix, closing.as_ref(), seconds);
         if let Some((path, kind)) = file {
             match kind {
-                "npy" => write_by(path, |file| npy(&matrix, file))?,
-                _ => write_by(path, |file| csv(&matrix, file))?,
+                "npy" => write_by(path, |file| tables::matrix_npy(&matrix, file))?,
+                _ => write_by(path, |file| tables::matrix_csv(&matrix, file))?,
             }
             text += &format!("written: {}\n", path.display());
         }
-        terminal.report(&text, || {
-            let mut object = json!({
-                "n": n,
-                "seconds": seconds,
-                "open": open,
-                "closure_max": closure,
-                "reciprocity_max": reciprocity,
-                "error_estimate": error,
-            });
-            if let Some(Closing { before, after, change }) = closing {
-                object["close"] = json!({
-                    "closure_before": before,
-                    "closure_after": after,
-                    "largest_change": change,
-                });
-            }
-            object
-        })
+        terminal.report(&text, || json_of(&matrix, closing.as_ref(), seconds))
     }
 
     /// The repair, where it was asked for and the scene is closed.
@@ -137,11 +96,10 @@ impl FormFactors {
         &self,
         scene: &Scene,
         matrix: &mut FaceMatrix,
-        open: bool,
     ) -> Result<Option<Closing>, Refusal> {
-        match (self.close, open) {
+        match (self.close, matrix.open) {
             (false, _) => Ok(None),
-            (true, false) => Ok(Some(close(&mut matrix.rows, &scene.face_areas()))),
+            (true, false) => Ok(matrix.close()),
             (true, true) => Err(Refusal(format!(
                 "{} is open, so rows may sum to less than one, and --close would invent \
                  light; leave --close out",
@@ -149,50 +107,57 @@ impl FormFactors {
             ))),
         }
     }
-}
 
-fn check(scene: &Scene, matrix: &FaceMatrix) -> Check {
-    let areas = scene.face_areas();
-    let mut check = Check { closure: 0.0, reciprocity: 0.0 };
-    for (i, row) in matrix.rows.iter().enumerate().filter(|&(i, _)| areas[i] > 0.0) {
-        let sum = row.iter().map(|e| e.1).sum::<f64>();
-        check.closure = check.closure.max((1.0 - sum).abs());
-        for &(j, factor) in row {
-            let other = &matrix.rows[j as usize];
-            let back = other.binary_search_by_key(&(i as u32), |e| e.0);
-            let back = back.map_or(0.0, |k| other[k].1);
-            let (there, back) = (areas[i] * factor, areas[j as usize] * back);
-            let apart = (there - back).abs() / areas[i].max(areas[j as usize]);
-            check.reciprocity = check.reciprocity.max(apart);
+    /// For people.
+    fn text(
+        &self,
+        scene: &Scene,
+        matrix: &FaceMatrix,
+        closing: Option<&Closing>,
+        seconds: f64,
+    ) -> String {
+        let n = matrix.rows.len();
+        let (kind, escapes) = match matrix.open {
+            true => ("open", ", the most that escapes a face"),
+            false => ("closed", ""),
+        };
+        let mut text = format!(
+            "{}: {n} x {n} form factors, {kind}, {seconds:.1} s\n\
+             rows sum to one but for {:.3e}{escapes}\n\
+             reciprocal but for {:.3e}\n\
+             a factor is off by {:.1e} at the most, as estimated; asked for: {:.1e}\n",
+            scene.name,
+            matrix.closure(),
+            matrix.reciprocity(),
+            matrix.error,
+            self.tolerance,
+        );
+        if let Some(Closing { before, change, .. }) = closing {
+            text += &format!(
+                "--close: rows summed to one but for {before:.3e}; the largest change of a \
+                 factor is {change:.3e}\n"
+            );
         }
+        text
     }
-    check
 }
 
-/// NumPy's format, version 1.0: a header that fills up 64 bytes, then the numbers.
-fn npy(matrix: &FaceMatrix, file: &mut dyn Write) -> io::Result<()> {
-    let n = matrix.rows.len();
-    let header =
-        format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({n}, {n}), }}");
-    let before = 10; // magic, version, length
-    let length = (before + header.len() + 1).next_multiple_of(64) - before;
-    file.write_all(b"\x93NUMPY\x01\x00")?;
-    file.write_all(&(length as u16).to_le_bytes())?;
-    writeln!(file, "{header:<width$}", width = length - 1)?;
-    let mut dense = vec![0.0; n];
-    for row in &matrix.rows {
-        row.iter().for_each(|&(j, factor)| dense[j as usize] = factor);
-        dense.iter().try_for_each(|f: &f64| file.write_all(&f.to_le_bytes()))?;
-        row.iter().for_each(|&(j, _)| dense[j as usize] = 0.0);
+/// For other programs.
+fn json_of(matrix: &FaceMatrix, closing: Option<&Closing>, seconds: f64) -> Value {
+    let mut object = json!({
+        "n": matrix.rows.len(),
+        "seconds": seconds,
+        "open": matrix.open,
+        "closure_max": matrix.closure(),
+        "reciprocity_max": matrix.reciprocity(),
+        "error_estimate": matrix.error,
+    });
+    if let Some(Closing { before, after, change }) = closing {
+        object["close"] = json!({
+            "closure_before": before,
+            "closure_after": after,
+            "largest_change": change,
+        });
     }
-    Ok(())
-}
-
-/// `i,j,F`, one line for each factor that is not zero.
-fn csv(matrix: &FaceMatrix, file: &mut dyn Write) -> io::Result<()> {
-    writeln!(file, "i,j,F")?;
-    for (i, row) in matrix.rows.iter().enumerate() {
-        row.iter().try_for_each(|(j, factor)| writeln!(file, "{i},{j},{factor}"))?;
-    }
-    Ok(())
+    object
 }

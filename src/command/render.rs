@@ -1,6 +1,6 @@
 //! `radiosity render`: a solved scene as a camera sees it.
 
-use super::methods::{self, Made, Method, Shown};
+use super::methods::{self, Shown};
 use super::output::{Refusal, Terminal, check_writable, extension, write};
 use super::sky::Lit;
 use super::solve::{FactorMethod, How, SolverMethod, Way};
@@ -15,6 +15,7 @@ use radiosity::mesh::ElementId;
 use radiosity::room::Room;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solution::Solution;
+use radiosity::trace::{PictureMethod, Rendered};
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -39,8 +40,8 @@ pub struct Render {
     pub output: PathBuf,
     /// How light is followed [default: two-pass where something shines or a sky does,
     /// else radiosity]
-    #[arg(long, value_enum)]
-    method: Option<Method>,
+    #[arg(long, value_parser = values::picture_method())]
+    method: Option<PictureMethod>,
     /// Samples in each pixel [default: 9; with path-trace 64]
     #[arg(long, value_name = "N")]
     samples: Option<usize>,
@@ -203,24 +204,24 @@ impl Render {
         solution: Option<&Solution>,
         shown: &Shown,
         terminal: &Terminal,
-    ) -> Made {
+    ) -> Rendered {
         match (self.view, self.shading, solution) {
             (What::Error, _, Some(solution)) => {
-                Made::of(self.errors(shown, room, solution))
+                Rendered::from(self.errors(shown, room, solution))
             }
-            (_, Shading::Flat, Some(solution)) => {
-                Made::of(shown.shot.flat(&solution.field.mesh, &solution.radiosity))
-            }
+            (_, Shading::Flat, Some(solution)) => Rendered::from(
+                shown.shot.flat(&solution.field.mesh, &solution.radiosity),
+            ),
             _ => methods::make(room, solution, shown, terminal),
         }
     }
 
     /// The method asked for, if it can show what is asked for; else the best.
-    fn method_for(&self, scene: &Scene) -> Result<Method, Refusal> {
+    fn method_for(&self, scene: &Scene) -> Result<PictureMethod, Refusal> {
         let elements = self.view == What::Error || self.shading == Shading::Flat;
         let Some(method) = self.method else {
-            let best = Method::best_for(scene);
-            return Ok(if elements { Method::Radiosity } else { best });
+            let best = PictureMethod::best_for(scene);
+            return Ok(if elements { PictureMethod::Radiosity } else { best });
         };
         let name = method.name();
         let refused = |option: &str, instead: &str| {
@@ -230,13 +231,13 @@ impl Render {
             )))
         };
         match (self.view, self.shading) {
-            (What::Error, _) if method != Method::Radiosity => {
+            (What::Error, _) if method != PictureMethod::Radiosity => {
                 refused("--view error", "radiosity")
             }
             (What::Mesh, _) if !method.solves() => {
                 refused("--view mesh", "radiosity or two-pass")
             }
-            (_, Shading::Flat) if method != Method::Radiosity => {
+            (_, Shading::Flat) if method != PictureMethod::Radiosity => {
                 refused("--shading flat", "radiosity")
             }
             _ => Ok(method),
@@ -302,7 +303,7 @@ impl Render {
     }
 
     fn encoded(&self, format: Format, told: &Told) -> Result<Vec<u8>, Refusal> {
-        let Told { made: Made { picture, .. }, shown, .. } = told;
+        let Told { made: Rendered { picture, .. }, shown, .. } = told;
         Ok(match self.view {
             What::Color => picture.encode(format, told.exposure)?,
             What::FalseColor => png(&FalseColour::of(picture).draw(picture))?,

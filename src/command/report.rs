@@ -5,6 +5,7 @@ use radiosity::geometry::Rgb;
 use radiosity::scene::Scene;
 use radiosity::solution::Solution;
 use radiosity::solve::Ledger;
+use radiosity::tables;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -13,35 +14,8 @@ pub fn rgb(value: Rgb) -> Value {
     json!(value.to_array())
 }
 
-/// The object that `--json` prints for a solution and what was decided on the way, but
-/// for its seconds.
-///
-/// A number that is infinite, such as an error that has no bound, is `null`.
-pub fn json(solution: &Solution, plan: &[String], tolerance: f64) -> Value {
-    let Certificate { error, low, high, confidence } = solution.certificate;
-    let Ledger { emitted, absorbed, escaped, unshot, imbalance } =
-        solution.field.ledger;
-    json!({
-        "elements": solution.field.mesh.elements.len(),
-        "patches": solution.field.patches,
-        "tolerance": tolerance,
-        "converged": solution.converged,
-        "solver_residual": solution.field.solver_residual,
-        "certificate": {
-            "error": error, "low": low, "high": high, "confidence": confidence,
-        },
-        "ledger": {
-            "emitted": rgb(emitted),
-            "absorbed": rgb(absorbed),
-            "escaped": rgb(escaped),
-            "unshot": rgb(unshot),
-            "imbalance": rgb(imbalance),
-        },
-        "plan": plan,
-    })
-}
-
-/// The same object with the seconds that it took, after the patches.
+/// The object that `--json` prints for a solution and what was decided on the way; the
+/// seconds that it took stand after the patches.
 pub fn json_timed(
     solution: &Solution,
     plan: &[String],
@@ -49,7 +23,8 @@ pub fn json_timed(
     seconds: f64,
 ) -> Value {
     let mut object = serde_json::Map::new();
-    if let Value::Object(entries) = json(solution, plan, tolerance) {
+    let summary = tables::summary(solution, plan, tolerance);
+    if let Ok(Value::Object(entries)) = serde_json::from_str(&summary) {
         for (key, value) in entries {
             if key == "tolerance" {
                 object.insert("seconds".into(), json!(seconds));

@@ -2,13 +2,14 @@
 
 use super::output::{Refusal, Terminal, check_writable, extension, write};
 use super::sky::Lit;
-use super::{report, tables, values};
+use super::{report, values};
 use clap::{Args, ValueEnum};
 use radiosity::field::{Classical, Factors, Links, MatrixSolver, Pass1};
 use radiosity::plan::Plan;
 use radiosity::room::Room;
 use radiosity::scene::Scene;
 use radiosity::solution::{self, Goal, Solution};
+use radiosity::tables;
 use radiosity::work::Work;
 use std::path::PathBuf;
 use std::time::Instant;

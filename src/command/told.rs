@@ -1,12 +1,12 @@
 //! What `render` says of a picture that it has made.
 
-use super::methods::{self, Made, Shown, Solved};
+use super::methods::{self, Shown, Solved};
 use super::render::{Render, What};
 use super::report::{self, percent};
 use radiosity::film::{FalseColour, luminance};
 use radiosity::geometry::Rgb;
 use radiosity::scene::Scene;
-use radiosity::trace::Table;
+use radiosity::trace::{Rendered, Table};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -15,7 +15,7 @@ pub struct Told {
     pub shown: Shown,
     /// Pass 1, where there was one.
     pub solved: Option<Solved>,
-    pub made: Made,
+    pub made: Rendered,
     /// The factor on radiance.
     pub exposure: f64,
     pub seconds: f64,

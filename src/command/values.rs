@@ -4,8 +4,10 @@
 //! nothing can be done is refused by its check (exit code 1).
 
 use super::output::Refusal;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use radiosity::glam::DVec3;
 use radiosity::raster::MAX_SIZE;
+use radiosity::trace::PictureMethod;
 
 /// Reads `0.01`, or `1%` for the same.
 pub fn tolerance(text: &str) -> Result<f64, String> {
@@ -90,4 +92,17 @@ pub fn direction(option: &str, value: DVec3) -> Result<DVec3, Refusal> {
     value.try_normalize().ok_or_else(|| {
         Refusal(format!("{option} {x},{y},{z} has no direction; give another vector"))
     })
+}
+
+/// One of the ways of making a picture, by its name.
+pub fn picture_method() -> impl TypedValueParser<Value = PictureMethod> {
+    let possible = PictureMethod::ALL.map(|method| {
+        let (name, words) = method.name_and_words();
+        PossibleValue::new(name).help(words)
+    });
+    let named = |name: String| {
+        let mut all = PictureMethod::ALL.into_iter();
+        all.find(|method| method.name() == name).ok_or("no such method")
+    };
+    PossibleValuesParser::new(possible).try_map(named)
 }

@@ -216,13 +216,8 @@ impl Analytic {
         if !self.losses {
             return Lost::default();
         }
-        lost_by_rays(
-            &self.surfaces,
-            &self.elements[i],
-            self.surface_of[i],
-            self.seed,
-            from,
-        )
+        let (element, surface) = (&self.elements[i], self.surface_of[i]);
+        lost_by_rays(&self.surfaces, element, surface, self.seed, from)
     }
 
     /// `A_i F_ij` past everything that stands between, in scene units squared.

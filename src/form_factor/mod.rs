@@ -8,6 +8,7 @@
 //! | method        | use it when                           | it fails when                    |
 //! |---------------|---------------------------------------|----------------------------------|
 //! | [`form_factor`] | two polygons are given              | never                            |
+//! | [`between_faces`] | the matrix of a file's faces is due | never: it states its error       |
 //! | [`analytic`]  | a factor must be right                | shafts hold dozens of blockers   |
 //! | [`area`]      | one pair is due, past many blockers   | blockers reach into a shared edge|
 //! | [`hemicube`]  | all factors of a row are due, quickly | a patch has few cells: aliasing  |
@@ -17,6 +18,22 @@
 //! | [`cast`]      | nothing may be assumed                | never; but error falls as 1/√rays|
 //! | [`shortcuts`] | textbook rules are to be judged       | near by; and they see no blocker |
 //! | [`named`]     | a closed form is wanted as an oracle  | the pair has no name             |
+//!
+//! ```
+//! use radiosity::form_factor::{form_factor, form_factor_past, named};
+//! use radiosity::prelude::*;
+//! let square = |z: f64| {
+//!     let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+//!     Polygon::new(corners.map(|(x, y)| dvec3(x, y, z)).to_vec()).unwrap()
+//! };
+//! let (floor, ceiling) = (square(0.0), square(1.0).flipped());
+//! let open = form_factor(&floor, &ceiling);
+//! assert!((open - named::parallel_rectangles(1.0, 1.0, 1.0)).abs() < 1e-12); // 0.1998
+//! let shelf = floor.clipped(Plane::through(dvec3(0.5, 0.0, 0.0), DVec3::X)).unwrap();
+//! let shelf = Polygon::new(shelf.vertices().iter().map(|v| v + 0.5 * DVec3::Z).collect());
+//! let past = form_factor_past(&floor, &ceiling, &[shelf.unwrap()], 1e-4);
+//! assert!(0.3 * open < past && past < 0.7 * open);
+//! ```
 //!
 //! **Not here:** what stands between ([`crate::occlusion`]); links between groups of
 //! elements; mirrors and windows.
@@ -32,6 +49,8 @@ mod close;
 mod contour;
 mod coordinates;
 mod estimate;
+mod face_matrix;
+mod faces;
 pub mod hemicube;
 pub mod hybrid;
 pub mod linear;
@@ -48,6 +67,8 @@ pub use accuracy::Accuracy;
 pub use close::{Closing, close, closure};
 pub use contour::exchange_by_contour;
 pub use estimate::{FactorEstimate, Obstruction, estimate};
+pub use face_matrix::{FaceMatrix, SparseRow};
+pub use faces::{FaceFactors, between_faces};
 pub use matrix::{Cached, Matrix, Row};
 pub use pair::{form_factor, form_factor_past};
 

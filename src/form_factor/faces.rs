@@ -9,41 +9,73 @@
 //! | analytic | adaptive integration of visible parts     | the last refinement's change    |
 //! | hemicube | hemicubes at points all over i            | a quarter of them, half as fine |
 //! | sampling | rays from random points of i              | the scatter of sixteen batches  |
+//!
+//! Pure geometry: every face is an opaque blocker with two sides that sends and receives on
+//! its front only.
 
-use super::output::Terminal;
-use super::solve::FactorMethod;
-use radiosity::form_factor::FormFactors;
-use radiosity::form_factor::analytic::Analytic;
-use radiosity::form_factor::cast::Cast;
-use radiosity::form_factor::hemicube::Hemicube;
-use radiosity::geometry::Polygon;
-use radiosity::mesh::{ElementId, Mesh};
-use radiosity::scene::Scene;
+use super::FormFactors;
+use super::analytic::Analytic;
+use super::cast::Cast;
+use super::face_matrix::{FaceMatrix, SparseRow};
+use super::hemicube::Hemicube;
+use crate::geometry::Polygon;
+use crate::mesh::{ElementId, Mesh};
+use crate::scene::Scene;
+use crate::work::Work;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Form factors between faces: what is not zero, row by row, in order of columns.
-pub struct FaceMatrix {
-    /// `rows[i]` holds `(j, F_ij)`.
-    pub rows: Vec<SparseRow>,
-    /// How far a factor may be off, absolute.
-    pub error: f64,
+/// How factors between faces are found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FaceFactors {
+    /// Lambert's formula and cut blockers, until the error is what is asked for.
+    Analytic,
+    /// Hemicubes, more of them until the factors settle.
+    Hemicube,
+    /// Rays, more of them until their scatter is small enough.
+    Sampling,
+    /// So many rays from each face, whatever the error.
+    Rays(usize),
 }
 
-/// Columns and numbers.
-pub type SparseRow = Vec<(u32, f64)>;
-
-/// What is asked for.
-pub struct Wanted {
-    /// How.
-    pub method: FactorMethod,
-    /// The absolute error of a factor that is aimed at.
-    pub tolerance: f64,
-    /// Rays from each face, where they are drawn; else chosen by the tolerance.
-    pub samples: Option<usize>,
-    /// Names the random streams.
-    pub seed: u64,
+/// The factors between the faces of `scene`, in order of the file.
+///
+/// `error`, positive, is the absolute error of a factor that is aimed at;
+/// [`FaceMatrix::error`] tells what was reached. A face that is several surfaces is summed.
+///
+/// ```
+/// use radiosity::form_factor::{FaceFactors, between_faces};
+/// use radiosity::{scene::built_in, work::Work};
+/// let cube = built_in("furnace").unwrap();
+/// let matrix = between_faces(&cube, FaceFactors::Analytic, 1e-6, 0, &Work::quiet());
+/// assert!(!matrix.open && matrix.error <= 1e-6 && matrix.closure() < 1e-6);
+/// let of_first: Vec<f64> = (1..6).map(|j| matrix.factor(0, j)).collect();
+/// assert!(of_first.iter().all(|f| (0.1998..0.2001).contains(f)));
+/// ```
+pub fn between_faces(
+    scene: &Scene,
+    how: FaceFactors,
+    error: f64,
+    seed: u64,
+    work: &Work,
+) -> FaceMatrix {
+    assert!(error > 0.0, "the error must be positive: {error}");
+    let scene = &scene.bare_geometry();
+    let (mesh, areas) = (Mesh::whole(scene), scene.face_areas());
+    let faces = Faces { scene, mesh, areas, error, seed, work };
+    let (rows, estimate) = match how {
+        FaceFactors::Analytic => faces.analytic(),
+        FaceFactors::Hemicube => faces.hemicube(),
+        FaceFactors::Sampling => faces.sampling(),
+        FaceFactors::Rays(rays) => faces.sampling_by(rays),
+    };
+    let open = faces.is_open();
+    let mut matrix = FaceMatrix { rows, areas: faces.areas, open, error: estimate };
+    if !open {
+        matrix.error = matrix.error.max(matrix.closure());
+    }
+    matrix
 }
 
 /// A scene whose surfaces are the elements, and whose faces are what is asked about.
@@ -53,30 +85,14 @@ struct Faces<'a> {
     mesh: Mesh,
     /// The area of each face.
     areas: Vec<f64>,
-    terminal: &'a Terminal,
+    /// What is aimed at.
+    error: f64,
+    seed: u64,
+    work: &'a Work<'a>,
 }
 
-/// Computes the matrix.
-pub fn compute(scene: &Scene, wanted: &Wanted, terminal: &Terminal) -> FaceMatrix {
-    let (mesh, areas) = (Mesh::whole(scene), scene.face_areas());
-    let faces = Faces { scene, mesh, areas, terminal };
-    match wanted.method {
-        FactorMethod::Auto | FactorMethod::Analytic => faces.analytic(wanted),
-        FactorMethod::Hemicube => faces.hemicube(wanted),
-        FactorMethod::Sampling => faces.sampling(wanted),
-    }
-}
-
-/// Does any light that leaves a front reach no front? By rays, a million in all.
-pub fn is_open(scene: &Scene, seed: u64) -> bool {
-    let mesh = Mesh::whole(scene);
-    let n = mesh.elements.len();
-    let cast = Cast::new(&mesh, ((1 << 20) / n.max(1)).clamp(16, 1024), seed);
-    (0..n).into_par_iter().any(|i| {
-        let lost = cast.row(ElementId(i as u32), &mut vec![0.0; n]);
-        lost.escaped + lost.absorbed > 0.0
-    })
-}
+/// Rows, and how far a factor may be off.
+type Found = (Vec<SparseRow>, f64);
 
 /// An error that the closed forms are known to stay below, relative.
 const CLOSED_FORMS: f64 = 1e-9;
@@ -91,21 +107,33 @@ impl Faces<'_> {
         self.mesh.patches[surface].face.0
     }
 
-    fn analytic(&self, wanted: &Wanted) -> FaceMatrix {
-        let mut tolerance = wanted.tolerance;
+    /// Does any light that leaves a front reach no front? By rays, a million in all.
+    fn is_open(&self) -> bool {
+        let n = self.mesh.elements.len();
+        let rays = ((1 << 20) / n.max(1)).clamp(16, 1024);
+        let cast = Cast::new(&self.mesh, rays, self.seed);
+        (0..n).into_par_iter().any(|i| {
+            let lost = cast.row(ElementId(i as u32), &mut vec![0.0; n]);
+            lost.escaped + lost.absorbed > 0.0
+        })
+    }
+
+    fn analytic(&self) -> Found {
+        let mut tolerance = self.error;
         loop {
-            let found = self.analytic_to(tolerance, wanted.seed);
+            let found = self.analytic_to(tolerance);
             tolerance *= 0.1;
-            if found.error <= wanted.tolerance || tolerance < 1e-3 * wanted.tolerance {
+            if found.1 <= self.error || tolerance < 1e-3 * self.error {
                 return found;
             }
         }
     }
 
     /// One number serves both directions of a pair.
-    fn analytic_to(&self, tolerance: f64, seed: u64) -> FaceMatrix {
+    fn analytic_to(&self, tolerance: f64) -> Found {
         let surfaces = self.mesh.elements.len();
-        let method = Analytic::new(self.scene, &self.mesh, tolerance, seed).sharp();
+        let method =
+            Analytic::new(self.scene, &self.mesh, tolerance, self.seed).sharp();
         let done = AtomicUsize::new(0);
         let pairs = |i: usize| {
             let mut found = Vec::new();
@@ -138,7 +166,7 @@ impl Faces<'_> {
             factors.map(|&(j, exchange, _)| (j, exchange / area)).collect()
         };
         let rows = rows.into_iter().zip(&self.areas).map(sparse).collect();
-        FaceMatrix { rows, error }
+        (rows, error)
     }
 
     /// Cells along the edge of a hemicube, at the end.
@@ -152,24 +180,23 @@ impl Faces<'_> {
     /// The first round has half the resolution, so that it counts what that changes, too.
     /// No factor is known better than by one cell, the largest of which has `4/(π R²)`.
     /// Pairs that all but touch settle on a wrong value: their points are too few.
-    fn hemicube(&self, wanted: &Wanted) -> FaceMatrix {
+    fn hemicube(&self) -> Found {
         let cell = 4.0 / (PI * (Faces::RESOLUTION as f64).powi(2));
         let mut triangles = self.triangles();
         let coarse = Faces::RESOLUTION / 2;
-        let mut before = self.hemicubes_at(&triangles, coarse, wanted.seed);
+        let mut before = self.hemicubes_at(&triangles, coarse);
         let mut round = 1;
         loop {
             let fours = |parts: &Vec<Polygon>| {
                 parts.iter().flat_map(Polygon::quarters).collect()
             };
             triangles = triangles.iter().map(fours).collect();
-            let rows = self.hemicubes_at(&triangles, Faces::RESOLUTION, wanted.seed);
+            let rows = self.hemicubes_at(&triangles, Faces::RESOLUTION);
             let error = largest_difference(&before, &rows).max(cell);
             let next = 4 * triangles.iter().map(Vec::len).sum::<usize>();
             // Two rounds agree by chance more often than three.
-            if (round > 1 && error <= wanted.tolerance) || next > Faces::MOST_HEMICUBES
-            {
-                return FaceMatrix { rows, error };
+            if (round > 1 && error <= self.error) || next > Faces::MOST_HEMICUBES {
+                return (rows, error);
             }
             (before, round) = (rows, round + 1);
         }
@@ -196,9 +223,8 @@ impl Faces<'_> {
         &self,
         triangles: &[Vec<Polygon>],
         resolution: u32,
-        seed: u64,
     ) -> Vec<SparseRow> {
-        let method = Hemicube::new(&self.mesh, resolution).turned(seed);
+        let method = Hemicube::new(&self.mesh, resolution).turned(self.seed);
         self.by_rows(|surface, add| {
             let polygon = &self.mesh.elements[surface].polygon;
             let mut seen = vec![0.0; self.mesh.elements.len()];
@@ -215,13 +241,12 @@ impl Faces<'_> {
     /// About so many rays are drawn at the most: half a minute's work.
     const MOST_RAYS: usize = 1 << 25;
 
-    fn sampling(&self, wanted: &Wanted) -> FaceMatrix {
-        let surfaces = self.mesh.elements.len();
-        let mut rays = wanted.samples.unwrap_or(4096);
+    fn sampling(&self) -> Found {
+        let mut rays = 4096;
         loop {
-            let found = self.sampling_by(rays, wanted.seed);
-            let enough = found.error <= wanted.tolerance || wanted.samples.is_some();
-            if enough || 4 * rays * surfaces > Faces::MOST_RAYS {
+            let found = self.sampling_by(rays);
+            let next = 4 * rays * self.mesh.elements.len();
+            if found.1 <= self.error || next > Faces::MOST_RAYS {
                 return found;
             }
             rays *= 4;
@@ -230,12 +255,13 @@ impl Faces<'_> {
 
     /// The mean of sixteen batches. Its error is taken as four of its standard errors:
     /// among ten thousand factors none is likely to be off by more.
-    fn sampling_by(&self, rays: usize, seed: u64) -> FaceMatrix {
+    fn sampling_by(&self, rays: usize) -> Found {
         let batches = Faces::BATCHES as f64;
         let per_batch = rays.div_ceil(Faces::BATCHES);
         let mut sum: Vec<Vec<(u32, f64, f64)>> = vec![Vec::new(); self.len()];
         for batch in 0..Faces::BATCHES as u64 {
-            let seed = seed.wrapping_mul(Faces::BATCHES as u64).wrapping_add(batch);
+            let seed =
+                self.seed.wrapping_mul(Faces::BATCHES as u64).wrapping_add(batch);
             let cast = Cast::new(&self.mesh, per_batch, seed);
             let rows = self.by_rows(|surface, add| {
                 let mut row = vec![0.0; self.mesh.elements.len()];
@@ -260,7 +286,7 @@ impl Faces<'_> {
         let rows = sum.into_iter().map(mean).collect();
         // What no ray has met may be as large as what a few would have shown.
         let unseen = 4.0 / (batches * per_batch as f64);
-        FaceMatrix { rows, error: unseen.max(4.0 * (variance / batches).sqrt()) }
+        (rows, unseen.max(4.0 * (variance / batches).sqrt()))
     }
 
     /// Rows between faces from rows between surfaces: `row(surface, add)` calls
@@ -294,7 +320,7 @@ impl Faces<'_> {
     /// One more row is done.
     fn tick(&self, done: &AtomicUsize, all: usize) {
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        self.terminal.progress("form factors", done, all);
+        self.work.tell("form factors", done, all);
     }
 }
 

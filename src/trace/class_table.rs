@@ -114,17 +114,6 @@ impl ByClass {
     }
 }
 
-/// The mean of a picture by both passes, class by class: [`ByClass::of`], summed up.
-pub fn classes_of_two_passes(
-    scene: &Scene,
-    shot: &Shot,
-    how: &Fineness,
-    options: &Look,
-    progress: Progress,
-) -> Table {
-    ByClass::of(scene, shot, how, options, progress).table()
-}
-
 /// A sum of pictures, each so many times.
 fn sum(parts: &[(f64, &Picture)]) -> Picture {
     let mut sum = Picture::new(parts[0].1.width, parts[0].1.height);

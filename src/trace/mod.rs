@@ -14,6 +14,14 @@
 //! | [`TwoPass`]    | pass 1 has found the diffuse light      | that was found too coarsely|
 //! | [`PathTracer`] | the right answer is wanted, with errors | time is short: noise       |
 //! | [`Class`]      | light is to be told by its path         | never                      |
+//! | [`PictureMethod`] | the best picture of a room is wanted | never                      |
+//!
+//! ```
+//! use radiosity::{scene::built_in, trace::PictureMethod};
+//! let best = |name| PictureMethod::best_for(&built_in(name).unwrap());
+//! assert_eq!(best("cornell"), PictureMethod::Radiosity); // nothing shines
+//! assert_eq!(best("mirror-room"), PictureMethod::TwoPass);
+//! ```
 //!
 //! **Not here:** the light that diffuse surfaces send: pass 1 ([`crate::solve`]) brings it.
 //! Chapters *The second pass* (L19, L20) and *Who carries which light?* (L15). Sources:
@@ -27,16 +35,18 @@ mod expose;
 mod gather;
 mod gloss;
 mod lamps;
+mod method;
 mod path;
 mod tree;
 mod two_pass;
 mod whitted;
 
-pub use class_table::{ByClass, classes_of_two_passes};
+pub use class_table::ByClass;
 pub use classes::{CLASSES, Class, ClassRow, Letter, Light, Owner, Table, Word};
 pub use cone::Cone;
 pub use expose::{Along, Shown};
 pub use gloss::{Gloss, LobeAs};
+pub use method::{PictureMethod, Rendered};
 pub use path::{Estimate, PathTracer, Strategy, Traced};
 pub use tree::Limits;
 pub use two_pass::{Look, TwoPass};

@@ -24,7 +24,7 @@
 
 use super::painter::{self, Painter};
 use super::{FormFactors, Lost};
-use crate::geometry::{Frame, bounds};
+use crate::geometry::Frame;
 use crate::mesh::{ElementId, Mesh};
 use crate::raster::{ItemBuffer, MAX_SIZE, View};
 use glam::DVec3;
@@ -175,23 +175,12 @@ pub fn aliasing_error(resolution: u32, size: f64) -> f64 {
 /// The least resolution that finds an element of apparent `size` with this relative `error`
 /// (positive): [`aliasing_error`] solved for the resolution, and rounded up to an even
 /// number; [`MAX_SIZE`] when even that would not do.
-///
-/// For a mesh, ask for its [`smallest_apparent_size`].
 pub fn resolution_for(error: f64, size: f64) -> u32 {
     let cells = (0.45 / error).powf(2.0 / 3.0);
     let pairs = (cells / size).ceil(); // 2k/size, halved
     if pairs < f64::from(MAX_SIZE / 2) { 2 * (pairs as u32).max(1) } else { MAX_SIZE }
 }
 // ANCHOR_END: budget
-
-/// A lower bound of how large an element of `mesh` looks from another that it faces: the
-/// root of the smallest area over the diagonal of all. Dimensionless; 0 without elements.
-pub fn smallest_apparent_size(mesh: &Mesh) -> f64 {
-    let (low, high) =
-        bounds(mesh.polygons().flat_map(|p| p.vertices().iter().copied()));
-    let least = mesh.polygons().map(|p| p.area()).fold(f64::INFINITY, f64::min);
-    if least.is_finite() { least.sqrt() / low.distance(high) } else { 0.0 }
-}
 
 /// Form factors by hemicubes at the centres of the elements.
 ///

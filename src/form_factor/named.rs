@@ -4,8 +4,6 @@
 //! |------------------------------|--------|-------------------------------------------|
 //! | [`parallel_rectangles`]      | C-11   | two equal rectangles, face to face        |
 //! | [`perpendicular_rectangles`] | C-14   | floor and wall with a common edge         |
-//! | [`parallel_discs`]           | C-41   | two discs on one axis                     |
-//! | [`point_to_disc_on_axis`]    | B-12   | a point under the middle of a disc        |
 //! | [`concentric_spheres`]       | C-131  | the outer sphere to the inner             |
 //!
 //! The formulas as they are printed lose their digits to cancellation: that of the parallel
@@ -60,32 +58,6 @@ pub fn perpendicular_rectangles(w: f64, h: f64, l: f64) -> f64 {
         + w2 * (-h2 / ((1.0 + w2) * r2)).ln_1p()
         + h2 * (-w2 / ((1.0 + h2) * r2)).ln_1p();
     (arc(w) + arc(h) - arc(r) + 0.25 * logarithms) / (PI * w)
-}
-
-/// From a disc of radius `r1` to one of radius `r2` on the same axis at distance `h`, face
-/// to face; positive lengths in one unit. In `(0, 1)`.
-///
-/// ```text
-/// F = ½ (S − √(S² − 4q²)) = 2q²/(S + √((S − 2q)(S + 2q)))
-/// q = r2/r1      S ± 2q = (1 ± q)² + h²/r1²
-/// ```
-///
-/// # Accuracy
-/// Rounding, at all distances.
-pub fn parallel_discs(r1: f64, r2: f64, h: f64) -> f64 {
-    let (q, apart) = (r2 / r1, (h / r1).powi(2));
-    let (less, more) = ((1.0 - q).powi(2) + apart, (1.0 + q).powi(2) + apart);
-    2.0 * q * q / (0.5 * (less + more) + (less * more).sqrt())
-}
-
-/// From a differential area under the middle of a disc of this `radius` at `distance` that
-/// it faces; positive lengths in one unit. In `(0, 1)`: `F = R²/(R² + d²)`.
-///
-/// # Accuracy
-/// Rounding.
-pub fn point_to_disc_on_axis(radius: f64, distance: f64) -> f64 {
-    let square = radius * radius;
-    square / (square + distance * distance)
 }
 
 /// From the inside of a sphere of radius `outer` to a concentric one of radius `inner`, both

@@ -12,7 +12,6 @@
 //! | [`point_to_point`] | five sizes away, or farther          | near: it exceeds 1         |
 //! | [`point_to_disc`]  | a number below 1 is needed, cheaply  | near: 20 % at one size     |
 //! | [`nusselt`]        | the factor is to be *seen*           | exact only with many steps |
-//! | [`crossed_strings`]| all is much longer than it is wide   | the ends matter            |
 //!
 //! None but the strings knows anything of what stands between. Errors of the first two,
 //! between unit squares that face each other (`tests/stability/form_factors.rs`):
@@ -79,17 +78,6 @@ pub fn point_to_disc(i: &Polygon, j: &Polygon) -> f64 {
 }
 // ANCHOR_END: point_to_disc
 
-// ANCHOR: five_times_rule
-/// Is the distance of the middles at least five times the larger [`size`]?
-///
-/// The lighting engineer's rule for when a lamp is a point. What it promises is 2 to 3 %:
-/// squares that face each other are off by 2.6 % at five sizes ([`point_to_point`]), and
-/// by 1.3 % when only one of them is taken as a point.
-pub fn five_times_rule(i: &Polygon, j: &Polygon) -> bool {
-    i.centroid().distance(j.centroid()) >= 5.0 * size(i).max(size(j))
-}
-// ANCHOR_END: five_times_rule
-
 /// The longer side of the rectangle around `polygon` that lies along its longest edge, in
 /// scene units: the side of a square, the length of a lamp.
 pub fn size(polygon: &Polygon) -> f64 {
@@ -150,55 +138,3 @@ pub fn nusselt(p: DVec3, n: DVec3, polygon: &Polygon, steps: u32) -> f64 {
     // ANCHOR_END: shadow_area
 }
 // ANCHOR_END: nusselt
-
-// ANCHOR: crossed_strings
-/// Form factor from segment `a` to segment `b` of the plane: the sections of two strips
-/// that are long without end (Hottel 1954). Dimensionless, in `[0, 1]`.
-///
-/// ```text
-/// F = (Σ crossed − Σ uncrossed)/(2 L)     strings between the ends, L the length of a
-/// ```
-/// The segments may touch at their ends; neither may cut the other's line.
-///
-/// # Accuracy
-/// Exact: 1e-12 relative, from a thousandth of the width to a thousand widths.
-pub fn crossed_strings(a: [DVec2; 2], b: [DVec2; 2]) -> f64 {
-    // |p| − |q| = (p − q)·(p + q)/(|p| + |q|), which does not cancel
-    let longer = |from: DVec2| {
-        let (p, q) = (b[0] - from, b[1] - from);
-        (p - q).dot(p + q) / (p.length() + q.length())
-    };
-    (longer(a[0]) - longer(a[1])).abs() / (2.0 * a[0].distance(a[1]))
-}
-// ANCHOR_END: crossed_strings
-
-// ANCHOR: strings_past
-/// The same of what passes a gap: strings from `a` to `b` keep `left` on their left and
-/// `right` on their right, and are pulled taut around them. `None`: no end on that side.
-///
-/// A screen with several gaps lets through the sum over them; a fin that stands on a
-/// segment divides it in two, and each part looks past the fin's tip. All strings must
-/// cross the line of the gap.
-///
-/// # Accuracy
-/// Exact: rounding of the strings, 1e-15 of the longest, over twice the length of `a`.
-pub fn crossed_strings_past(
-    a: [DVec2; 2],
-    b: [DVec2; 2],
-    left: Option<DVec2>,
-    right: Option<DVec2>,
-) -> f64 {
-    let string = |from: DVec2, to: DVec2| {
-        let side = |corner: DVec2| (to - from).perp_dot(corner - from);
-        let bend = left.filter(|&l| side(l) < 0.0);
-        let bend = bend.or(right.filter(|&r| side(r) > 0.0));
-        match bend {
-            Some(corner) => from.distance(corner) + corner.distance(to),
-            None => from.distance(to),
-        }
-    };
-    let same = string(a[0], b[0]) + string(a[1], b[1]);
-    let other = string(a[0], b[1]) + string(a[1], b[0]);
-    (same - other).abs() / (2.0 * a[0].distance(a[1]))
-}
-// ANCHOR_END: strings_past

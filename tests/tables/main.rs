@@ -7,6 +7,7 @@ mod common;
 mod brdf;
 mod cie171;
 mod cie171_sky;
+mod closed;
 mod cornell;
 mod enclosures;
 mod form_factors;

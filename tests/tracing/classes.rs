@@ -8,7 +8,7 @@ use radiosity::geometry::Rgb;
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::trace::{
-    CLASSES, Class, Letter, Light, Look, Owner, PathTracer, Word, classes_of_two_passes,
+    ByClass, CLASSES, Class, Letter, Light, Look, Owner, PathTracer, Word,
 };
 use std::f64::consts::PI;
 
@@ -79,7 +79,7 @@ fn both_passes_find_class_by_class_what_paths_find() {
     for (name, scene, shot) in &scenes {
         let how = Smooth.first(&Room::of(scene), 0.02);
         let options = Look::default();
-        let ours = classes_of_two_passes(scene, shot, &how, &options, &|_, _, _| ());
+        let ours = ByClass::of(scene, shot, &how, &options, &|_, _, _| ()).table();
         let paths = PathTracer::of(&Room::of(scene))
             .picture(shot, 256, 1, &|_, _, _| ())
             .classes;

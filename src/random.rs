@@ -13,6 +13,15 @@
 //! | [`Stream::next`]      | one number is needed               | many are: clumps         |
 //! | [`Stream::points`]    | `n` points that fill a cube evenly | `n` is 1: as `next`      |
 //!
+//! ```
+//! use radiosity::random::Stream;
+//! let draw = || Stream::named(7, &[3, 5]).next(); // the same name, the same numbers
+//! assert_eq!(draw(), draw());
+//! let points: Vec<[f64; 2]> = Stream::named(7, &[]).points(1000).collect();
+//! let mean = points.iter().map(|p| p[0] * p[1]).sum::<f64>() / 1000.0;
+//! assert!((mean - 0.25).abs() < 0.005); // by chance alone 0.007 would be usual
+//! ```
+//!
 //! **Not here:** cryptography. Beyond the lecture; rays are first drawn in
 //! the chapter *Form factors*.
 //! Sources: Steele, Lea & Flood 2014;

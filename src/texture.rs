@@ -12,6 +12,16 @@
 //! |----------|------------------------------------|-------------------------------------|
 //! | [`mean`] | light is exchanged between patches | the pattern is to be seen           |
 //!
+//! ```
+//! use radiosity::film::{Format, Picture};
+//! use radiosity::{geometry::Rgb, texture};
+//! let mut picture = Picture::new(2, 1); // black, and white
+//! picture.pixels[1] = Rgb::ONE;
+//! let file = picture.encode(Format::Png, 1.0).unwrap();
+//! assert_eq!(texture::mean(&file).unwrap(), Rgb::splat(0.5)); // of light, not of codes
+//! assert!((texture::linear_from_srgb(188.0 / 255.0) - 0.503).abs() < 1e-3);
+//! ```
+//!
 //! **Not here:** the pattern itself, and where on a face it lies; pictures that are
 //! written ([`crate::film`]). Chapter *The pipeline*, for the virtual world (L23). Sources: Cohen et al. 1986
 //! (textures after the solution); IEC 61966-2-1 (sRGB).

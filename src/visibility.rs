@@ -17,6 +17,19 @@
 //! There is no ε: a ray never meets the item it leaves, nor a triangle in whose plane it
 //! starts. So results do not change with the scene's scale.
 //!
+//! ```
+//! use radiosity::prelude::*;
+//! use radiosity::visibility::Visibility;
+//! let square = |z: f64| {
+//!     let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+//!     Polygon::new(corners.map(|(x, y)| dvec3(x, y, z)).to_vec()).unwrap()
+//! };
+//! let all = Visibility::new([&square(0.0), &square(2.0), &square(3.0)]);
+//! let up = Ray { origin: dvec3(0.5, 0.5, 0.5), direction: DVec3::Z };
+//! let hit = all.closest(&up, None).unwrap();
+//! assert_eq!((hit.item, hit.distance, hit.front), (1, 1.5, false));
+//! ```
+//!
 //! **Not here:** curved shapes. Chapter *Form factors* (L07).
 //! Sources: Wald 2007 (binned surface-area heuristic); Woop, Benthin & Wald 2013
 //! (watertight triangles).

@@ -15,6 +15,16 @@
 //! | [`Comparison`] | pictures are to be compared         | the reference is noisy          |
 //! | [`Chart`]  | numbers span decades, both ways         | a value is 0: it has no decade  |
 //!
+//! ```
+//! use radiosity::chart::{Bench, Contest, Method, Verdict, WorkDone};
+//! // π by the corners of a polygon: how wrong, with how many?
+//! let corners = |n: f64, _| (n * (std::f64::consts::PI / n).sin(), WorkDone::default());
+//! let method = Method::new("inscribed", &[6.0, 12.0], corners);
+//! let off = |pi: &f64| Verdict::of((pi / std::f64::consts::PI - 1.0).abs());
+//! let trials = Contest::new("circle", 0.0, off).with(method).run("pi", &Bench::SILENT);
+//! assert!((3.8..4.2).contains(&(trials[0].error / trials[1].error))); // second order
+//! ```
+//!
 //! **Not here:** where numbers are written to, and the clock: the command brings both as a
 //! [`Meter`].
 //! Chapters *Speed against accuracy*, *Side by side* (L22) and *Solving it* (L13, L14).

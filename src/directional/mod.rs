@@ -20,6 +20,16 @@
 //! | [`Scatter`]   | a BRDF is met in bins                 | memory ends: `m²` a paint |
 //! | [`Directional`] | a small glossy scene, for all eyes  | the same                  |
 //!
+//! ```
+//! use radiosity::directional::Bins;
+//! use radiosity::glam::{DVec3, dvec2};
+//! let bins = Bins::new(4);
+//! assert_eq!(bins.len(), 16);
+//! let direction = bins.direction(5, dvec2(0.5, 0.5));
+//! assert_eq!(bins.bin_of(direction), Some(5));
+//! assert_eq!(bins.bin_of(-DVec3::Z), None); // nobody looks down into the wall
+//! ```
+//!
 //! **Not here:** mirrors, panes and glass, which have no BRDF; translucence; cameras. This is a demonstration:
 //! rays and a second pass carry gloss for less. Chapter *Why not specular radiosity?* (L16).
 //! Sources: Immel, Cohen & Greenberg 1986 (directions as unknowns); Sillion, Arvo, Westin

@@ -16,6 +16,16 @@
 //!
 //! All averaging is done on linear radiance; only the last step to bytes is not linear.
 //!
+//! ```
+//! use radiosity::film::{Picture, srgb_from_linear};
+//! use radiosity::geometry::Rgb;
+//! let mut picture = Picture::new(2, 1);
+//! picture.pixels.copy_from_slice(&[Rgb::splat(0.5), Rgb::splat(3.0)]);
+//! assert_eq!(picture.display(1.0).get_pixel(0, 0).0, [188; 3]); // half the light, not 128
+//! assert_eq!(picture.clamped_share(1.0), 0.5); // the other is brighter than white
+//! assert!((srgb_from_linear(0.5) - 0.735).abs() < 1e-3);
+//! ```
+//!
 //! **Not here:** tone curves: what is brighter than white is white, and the share of
 //! such pixels is reported. Chapter *The picture* (L09). Sources: IEC
 //! 61966-2-1:1999; Poynton 2003.

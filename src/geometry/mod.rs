@@ -11,6 +11,18 @@
 //! | [`Frame`]   | directions are given relative to a normal               |
 //! | [`Ray`]     | one point is asked what it sees in one direction        |
 //!
+//! ```
+//! use radiosity::prelude::*;
+//! let square = |z: f64| {
+//!     let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+//!     Polygon::new(corners.map(|(x, y)| dvec3(x, y, z)).to_vec()).unwrap()
+//! };
+//! let floor = square(0.0);
+//! assert_eq!((floor.area(), floor.normal()), (1.0, DVec3::Z));
+//! let left = floor.clipped(Plane::through(dvec3(0.25, 0.0, 0.0), -DVec3::X)).unwrap();
+//! assert_eq!(left.area(), 0.25); // in front of the plane is where its normal points
+//! ```
+//!
 //! **Not here:** curved shapes; they are tessellated before they arrive.
 //! Chapter *What radiosity assumes* (L01). Sources: Newell (in Sutherland et al. 1974);
 //! Sutherland & Hodgman 1974 (clipping).

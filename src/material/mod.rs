@@ -24,6 +24,18 @@
 //! Kd + Td < 1      Kd + Td + Ks ≤ 1      panes, glass: (1 − Kd − Td) of Fresnel's R and T
 //! ```
 //!
+//! ```
+//! use radiosity::geometry::Rgb;
+//! use radiosity::material::{Coefficients, Material, optics};
+//! let paint = |share: f64| {
+//!     let diffuse = Rgb::splat(share);
+//!     Material::new("paint", Coefficients { diffuse, ..Coefficients::default() })
+//! };
+//! assert_eq!(paint(0.5).unwrap().diffuse(), Rgb::splat(0.5));
+//! assert!(paint(1.2).is_err()); // it would make light
+//! assert!((optics::fresnel(1.0, 1.5).mean() - 0.04).abs() < 1e-15); // glass, face on
+//! ```
+//!
 //! **Not here:** textures. Chapters *How surfaces scatter* (L04), *Albedo* (L05) and
 //! *Mirrors and windows* (L17, L18). Sources: Fresnel 1823; Nicodemus et al. 1977; Phong
 //! 1975; Lewis 1993; Lafortune & Willems 1994; Arvo 1995.

@@ -21,6 +21,15 @@
 //! | [`Mesh::split`]   | some elements are too large          | the wrong ones are chosen  |
 //! | [`TwoLevels`]     | few patches send, many elements show | both must be as fine       |
 //!
+//! ```
+//! use radiosity::{mesh::Mesh, scene::built_in};
+//! let scene = built_in("furnace").unwrap();
+//! let mesh = Mesh::uniform(&scene, 0.3); // no edge is longer
+//! let area: f64 = mesh.polygons().map(|p| p.area()).sum();
+//! assert!(mesh.elements.len() > mesh.patches.len());
+//! assert!((area - scene.face_areas().iter().sum::<f64>()).abs() < 1e-12);
+//! ```
+//!
 //! **Not here:** which elements to split ([`crate::solve`]). Chapters *The pipeline* (L08)
 //! and *Patches and elements* (L11, L12). Sources: Cohen, Greenberg, Immel & Brock 1986
 //! (substructuring); Baum, Mann, Smith & Winget 1991 (contact lines, balance, anchors).

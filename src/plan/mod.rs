@@ -17,6 +17,14 @@
 //! | [`Plan::run`]    | it is to be done                         | the limits are reached     |
 //! | [`Predicted`]    | a person asks how long it will take      | the machine is another     |
 //!
+//! ```
+//! use radiosity::plan::{Plan, PlannedWay};
+//! use radiosity::{room::Room, scene::built_in};
+//! let furnace = built_in("furnace").unwrap(); // closed, all walls alike
+//! let plan = Plan::of(&Room::of(&furnace), 0.01);
+//! assert!(matches!(plan.way, PlannedWay::Everywhere(b) if (b.x - 2.0).abs() < 1e-12));
+//! ```
+//!
 //! **Not here:** how light is resolved and certified ([`crate::solve`]).
 //! Beyond the lecture: chapter *What does this scene need?*. Sources: Lischinski,
 //! Smits & Greenberg 1994 (bounds that tell where to work); Smits, Arvo & Salesin 1992 (no

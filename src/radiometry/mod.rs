@@ -16,6 +16,18 @@
 //! | [`projected_solid_angle_of_cap`]| the same of a sphere             | never             |
 //! | [`cosine_direction`]            | rays are to carry equal light    | never             |
 //!
+//! ```
+//! use radiosity::prelude::*;
+//! use radiosity::radiometry::{flux, projected_solid_angle, solid_angle};
+//! use std::f64::consts::PI;
+//! let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+//! let lid = Polygon::new(corners.map(|(x, y)| dvec3(x, y, 1.0)).to_vec()).unwrap();
+//! // From the middle of a cube each side takes a sixth of all directions.
+//! assert!((solid_angle(DVec3::ZERO, &lid) - 4.0 * PI / 6.0).abs() < 1e-14);
+//! assert!(projected_solid_angle(DVec3::ZERO, DVec3::Z, lid.vertices()) < 4.0 * PI / 6.0);
+//! assert_eq!(flux(Rgb::splat(2.0), 3.0), Rgb::splat(6.0)); // 2 W/m² from 3 m²
+//! ```
+//!
 //! **Not here:** visibility; the form factor is [`crate::form_factor`]'s.
 //! Chapters *Solid angle* (L02) and *Radiometry* (L03). Sources: Lambert 1760; Nusselt 1928;
 //! Van Oosterom & Strackee 1983; Baum, Rushmeier & Winget 1989.

@@ -25,6 +25,19 @@
 //! none: a point of the pyramid with `W = 0` is the eye, and a polygon through the eye
 //! is seen edge-on and covers nothing. (Such polygons are skipped.)
 //!
+//! ```
+//! use radiosity::prelude::*;
+//! use radiosity::raster::{ItemBuffer, Seen, View};
+//! let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+//! let at = |z: f64| Polygon::new(corners.map(|(x, y)| dvec3(x, y, z)).to_vec()).unwrap();
+//! let view = View::new(DVec3::ZERO, DVec3::X, DVec3::Y, -DVec3::Z); // 45° each way
+//! let mut items = ItemBuffer::new(8, 8);
+//! items.draw(&view, &at(-2.0), 1); // takes the middle half of the picture
+//! items.draw(&view, &at(-4.0), 2); // lies behind
+//! assert_eq!(items.seen(4, 4), Seen::Front(1));
+//! assert_eq!(items.pixels().filter(|seen| *seen == Seen::Front(1)).count(), 16);
+//! ```
+//!
 //! **Not here:** colours ([`crate::film`]); hemicube weights
 //! ([`crate::form_factor::hemicube`]). Chapters *The picture* (L09) and *The
 //! hemicube* (L10). Sources: Catmull 1974 (z-buffer); Weghorst, Hooper & Greenberg 1984

@@ -20,6 +20,15 @@
 //! | [`Sky::cie`]       | the sun's side is to be brighter       | the sun itself: it has none |
 //! | [`Sky::panorama`]  | a real place is to shine               | detail below a texel    |
 //!
+//! ```
+//! use radiosity::{geometry::Rgb, glam::DVec3, sky::Sky};
+//! use std::f64::consts::PI;
+//! let fog = Sky::uniform(Rgb::ONE, DVec3::Z);
+//! assert!((fog.irradiance(DVec3::Z) - PI).length() < 1e-12); // H = π L on open ground
+//! let cloudy = Sky::overcast(Rgb::ONE, DVec3::Z); // its zenith thrice as bright as below
+//! assert!((cloudy.irradiance(DVec3::Z) - 7.0 / 9.0 * PI).length() < 1e-12);
+//! ```
+//!
 //! **Not here:** what of the sky an element sees past the scene ([`crate::solve`]); the
 //! image files of pictures ([`crate::film`]). Chapter *Light from the sky* (L21).
 //! Sources: Moon & Spencer 1942 (overcast); CIE S 011 / ISO 15469 (general skies);

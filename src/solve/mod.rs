@@ -20,6 +20,19 @@
 //! an error. A certificate ([`crate::certificate`]) then says how far the field is from the truth. The last makes
 //! a system that is smaller, for any of them to solve.
 //!
+//! ```
+//! use radiosity::form_factor::{FormFactors, analytic::Analytic};
+//! use radiosity::solve::{Enclosure, Jacobi, Solver};
+//! use radiosity::{mesh::Mesh, scene::built_in};
+//! let scene = built_in("furnace").unwrap(); // E = 1, ρ = ½ on all walls: B = E/(1 − ρ)
+//! let mesh = Mesh::whole(&scene);
+//! let factors = Analytic::new(&scene, &mesh, 1e-9, 0).matrix(&|| {});
+//! let enclosure = Enclosure::of(&scene, &mesh);
+//! let mut gathering = Jacobi::new(&enclosure, &factors);
+//! assert!(gathering.run(0.5, 1e-6, 100).converged);
+//! assert!(gathering.radiosity().iter().all(|b| (b.x - 2.0).abs() < 1e-5));
+//! ```
+//!
 //! **Not here:** the factors ([`crate::form_factor`]); what a camera sees.
 //! Chapters *The radiosity equation* (L06), *Solving it*, *Patches and elements* (L11, L12),
 //! *Progressive refinement* (L13, L14).

@@ -22,6 +22,23 @@
 //!
 //! A pane is a mirror on both sides, and a veil that weakens what passes: by angle.
 //!
+//! ```
+//! use radiosity::glam::{DVec3, dvec3};
+//! use radiosity::geometry::Rgb;
+//! use radiosity::material::{Coefficients, Material, Shine};
+//! use radiosity::scene::{Face, MaterialId, Scene};
+//! use radiosity::virtual_world::VirtualWorld;
+//! let shine = Shine::Mirror { reflectance: Rgb::splat(0.9) };
+//! let mirror = Material::new("mirror", Coefficients { shine, ..Coefficients::default() });
+//! let outline = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+//! let face = Face { outline, material: MaterialId(0) };
+//! let scene = Scene::assemble("mirror", vec![mirror.unwrap()], vec![face], None).unwrap().0;
+//! let world = VirtualWorld::of(&scene, 5);
+//! assert_eq!(world.images().len(), 2); // the world itself, and what the mirror shows
+//! let seen = world.images()[1].of_point(dvec3(0.5, 0.5, 3.0));
+//! assert!(seen.distance(dvec3(0.5, 0.5, -3.0)) < 1e-12); // as far behind as it is before
+//! ```
+//!
 //! **Not here:** curved mirrors and solids of glass, which have no image: rays carry their
 //! light ([`crate::ways`]). Chapter *Mirrors and windows* (L17, L18). Sources:
 //! Rushmeier & Torrance 1990 and Wallace, Cohen & Greenberg 1987 (extended form factors,

@@ -21,6 +21,13 @@
 //! one that holds both its sides is not there for a ray. A ray that begins somewhere learns
 //! where it is when it first meets something clear.
 //!
+//! ```
+//! use radiosity::ways::choose;
+//! let odds = [0.25, 0.0, 0.75]; // mirrored, scattered, straight on
+//! assert_eq!(choose(odds.into_iter(), 0.2), Some((0, 0.25)));
+//! assert_eq!(choose(odds.into_iter(), 0.9), Some((2, 0.75)));
+//! ```
+//!
 //! **Not here:** pictures ([`crate::trace`]); images in flat mirrors
 //! ([`crate::virtual_world`]), which need no rays. Chapter *Mirrors and windows* (L17, L18). Sources: Fresnel 1823; Veach 1997 (radiance in media); Whitted 1980; Schmidt & Budge 2002
 //! (overlapping solids, by rank).

@@ -170,7 +170,8 @@ impl<'a> Gathering<'a> {
                     return;
                 };
                 let emission = self.material(piece).emission();
-                let summed = if self.direct.sums(chain) { emission } else { Rgb::ZERO };
+                let summed =
+                    if self.direct.follows(chain) { emission } else { Rgb::ZERO };
                 // Of a black surface the truth is known.
                 let h = self.strata.of_piece[piece as usize];
                 let element = ElementId(self.strata.pieces[piece as usize].element);

@@ -118,7 +118,7 @@ impl Walker<'_> {
                 Met::Surface { surface, point, front: true, .. } => {
                     let side = &self.scene.surfaces[surface as usize];
                     let material = self.scene.material(side);
-                    if !self.direct.sums(chain) {
+                    if !self.direct.follows(chain) {
                         light += weight * material.emission();
                     }
                     places.push((surface, point, weight * material.diffuse()));

@@ -58,15 +58,25 @@ impl Standing {
 }
 
 impl Blockers {
-    /// Those of a scene.
+    /// Those of a scene; light goes through panes.
     pub fn of(scene: &Scene) -> Blockers {
+        Blockers::but_for(scene, |k| {
+            scene.material(&scene.surfaces[k]).shine().pane().is_some()
+        })
+    }
+
+    /// The same, and panes stop light as all else does.
+    pub fn with_panes(scene: &Scene) -> Blockers {
+        Blockers::but_for(scene, |_| false)
+    }
+
+    /// Those of a scene but for surfaces that let light pass.
+    fn but_for(scene: &Scene, passes: impl Fn(usize) -> bool) -> Blockers {
         let margin = scene.rounding();
         let surfaces: Vec<&Polygon> =
             scene.surfaces.iter().map(|s| &s.polygon).collect();
-        // Light goes through panes: no wall has any, and none blocks.
-        let pane =
-            |k: usize| scene.material(&scene.surfaces[k]).shine().pane().is_some();
-        let in_plane = |k: usize| in_plane(surfaces[k], margin, i64::from(pane(k)));
+        // No wall has any of these, and none of them blocks.
+        let in_plane = |k: usize| in_plane(surfaces[k], margin, i64::from(passes(k)));
         let (wall_of, tiles) = joined(&surfaces, margin, in_plane);
         let walls: Vec<Polygon> =
             tiles.iter().map(|t| convex_hull(t, &surfaces)).collect();
@@ -78,7 +88,7 @@ impl Blockers {
             heights().any(|h| h > margin) && heights().any(|h| h < -margin)
         };
         let (mut between, mut opaque) = (Vec::new(), Vec::new());
-        for (wall, tiles) in walls.iter().zip(&tiles).filter(|(_, t)| !pane(t[0])) {
+        for (wall, tiles) in walls.iter().zip(&tiles).filter(|(_, t)| !passes(t[0])) {
             let first = opaque.len();
             let area: f64 = tiles.iter().map(|&t| surfaces[t].area()).sum();
             if (wall.area() - area).abs() <= 1e-9 * area {

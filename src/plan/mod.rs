@@ -124,7 +124,6 @@ impl Plan {
         let way = match survey.everywhere {
             Some(radiosity) => PlannedWay::Everywhere(radiosity),
             None if survey.brightest <= enough
-                && survey.sums_emitters
                 && survey.specular == 0
                 && scene.sky.is_none() =>
             {

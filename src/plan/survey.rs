@@ -26,8 +26,10 @@ pub struct Survey {
     pub blockers: usize,
     /// Surfaces that emit.
     pub emitters: usize,
-    /// Are they few enough to be summed exactly?
-    pub sums_emitters: bool,
+    /// Lamps: tiles of one count once.
+    pub lamps: usize,
+    /// Are they few enough to be summed exactly? Else some are, by chance.
+    pub sums_all_lamps: bool,
     /// Largest `ρ + τ`, brightest channel.
     pub brightest: f64,
     /// `ρ̄`, mean over the area, brightest channel.
@@ -71,7 +73,8 @@ impl Survey {
             on_backs: 0.0,
             blockers: room.blockers().all().len(),
             emitters: 0,
-            sums_emitters: direct.sums_emitters(),
+            lamps: direct.lamps().all().len(),
+            sums_all_lamps: direct.sums_all_lamps(),
             brightest: 0.0,
             mean_reflectance: 0.0,
             specular: 0,

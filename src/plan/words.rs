@@ -19,7 +19,7 @@ pub(super) fn decisions(
     };
     let bounces = how.reflected.is_finite();
     said.push(lamps(survey, pieces));
-    said.push(shadows(survey, pieces));
+    said.push(shadows(pieces));
     if bounces {
         said.push(brightness(survey, tolerance));
         said.push(solver(predicted));
@@ -89,28 +89,32 @@ fn everywhere(survey: &Survey) -> Decision {
 }
 
 fn lamps(survey: &Survey, pieces: &Pieces) -> Decision {
-    let n = survey.emitters;
-    let few = match n {
-        1 => "one emitting surface: its light is".into(),
-        n => format!("{n} emitting surfaces: their light is"),
+    let (n, lamps) = (survey.emitters, survey.lamps);
+    let few = match (n, lamps) {
+        (1, _) => "one emitting surface: its light is".into(),
+        (n, 1) => format!("{n} emitting surfaces, tiles of one lamp: its light is"),
+        (n, k) if k < n => {
+            format!("{n} emitting surfaces, tiles of {k} lamps: their light is")
+        }
+        (n, _) => format!("{n} emitting surfaces: their light is"),
     };
-    let why = match survey.sums_emitters {
+    let why = match survey.sums_all_lamps {
         true => format!(
             "{few} summed exactly, by Lambert's formula, on {} patches",
             pieces.patches
         ),
         false => format!(
-            "{few} gathered with all other light: more than 32 are too many to sum one by one"
+            "{few} summed by Lambert's formula on {} patches: on each that of the strongest, \
+             and of some others by chance",
+            pieces.patches
         ),
     };
     Decision { what: "lamps", why, value: n as f64 }
 }
 
-fn shadows(survey: &Survey, pieces: &Pieces) -> Decision {
+fn shadows(pieces: &Pieces) -> Decision {
     let s = pieces.shadowed;
-    let why = if !survey.sums_emitters {
-        "not followed one by one: what blocks many lamps blurs".into()
-    } else if s == 0.0 {
+    let why = if s == 0.0 {
         "none: light is smooth, elements are split only where it bends".into()
     } else {
         format!(

@@ -1,4 +1,5 @@
 //! Light straight from the emitters, exactly: also by flat mirrors, and through panes.
+//! (Of hundreds of lamps some are drawn by chance: [`super::lamps`].)
 //!
 //! ```text
 //! H_direct(x) = Σ_k E_k Σ_images k_s F(x → what x sees of the image of emitter k)
@@ -10,6 +11,7 @@
 //! is an emitter, too: one whose radiance depends on the direction. So is a sun in the sky:
 //! one that is far away.
 
+use super::lamps::{Lamp, LampChoice, Lamps, Receiver};
 use super::portals::portals;
 use crate::geometry::{Polygon, Rgb};
 use crate::radiometry::solid_angle;
@@ -19,9 +21,10 @@ use crate::virtual_world::{Sight, VirtualWorld};
 use crate::ways::Chain;
 use glam::DVec3;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
-/// Scenes with more emitting surfaces than this have no light summed exactly.
-const MOST_EMITTERS: usize = 32;
+/// Of the lamps before a piece so many are summed: all, in most scenes.
+const ASKED: LampChoice = LampChoice { strongest: 192, drawn: 64 };
 
 /// So many images of each emitter: a second level of reflections, if it keeps within this.
 const MOST_IMAGES: usize = 64;
@@ -49,7 +52,7 @@ fn lamp_far_away(sun: &Sun, scene: &Scene) -> Option<(Polygon, Rgb)> {
 /// The emitters of a scene, their images, and what may stand before them.
 #[derive(Debug)]
 pub struct Direct<'a> {
-    pub(super) emitters: Vec<(&'a Polygon, Rgb)>,
+    lamps: Arc<Lamps>,
     /// Openings to the sky; none when it is also seen elsewhere.
     portals: Vec<Polygon>,
     /// Texels of the sky that are lamps of their own: far away.
@@ -63,8 +66,7 @@ pub struct Direct<'a> {
 }
 
 impl<'a> Direct<'a> {
-    /// Those of a scene, by up to two mirrors if these are few; without any emitter when
-    /// there are more than 32, whose light then has to be gathered as all other light is.
+    /// Those of a scene, by up to two mirrors if these are few.
     pub fn of(scene: &'a Scene) -> Direct<'a> {
         let one = VirtualWorld::of(scene, 1);
         let mirrors = one.mirrors().len();
@@ -78,12 +80,6 @@ impl<'a> Direct<'a> {
 
     /// The same by the images of a given world.
     pub fn in_world(scene: &'a Scene, world: VirtualWorld) -> Direct<'a> {
-        let emitting = scene.surfaces.iter().filter(|s| scene.material(s).emits());
-        let mut emitters: Vec<(&Polygon, Rgb)> =
-            emitting.map(|s| (&s.polygon, scene.material(s).emission())).collect();
-        if emitters.len() > MOST_EMITTERS {
-            emitters.clear();
-        }
         let sky = scene.sky.as_ref().filter(|sky| sky.shines());
         let portals = if sky.is_some() { portals(scene) } else { Vec::new() };
         let bright = sky.map_or(Rgb::ZERO, |sky| sky.irradiance(sky.up()));
@@ -92,7 +88,8 @@ impl<'a> Direct<'a> {
         let (suns, rest) = parted.unzip();
         let far = |sun: &Sun| lamp_far_away(sun, scene);
         let suns = suns.iter().flatten().filter_map(far).collect();
-        Direct { emitters, portals, suns, sky, typical, rest, world }
+        let lamps = Arc::new(Lamps::of(scene));
+        Direct { lamps, portals, suns, sky, typical, rest, world }
     }
 
     /// How many images are looked at, the world itself being the first.
@@ -110,14 +107,14 @@ impl<'a> Direct<'a> {
         self.portals.len()
     }
 
-    /// Is there an emitter whose light is summed here?
-    pub fn sums_emitters(&self) -> bool {
-        !self.emitters.is_empty()
+    /// The lamps of the scene.
+    pub fn lamps(&self) -> &Arc<Lamps> {
+        &self.lamps
     }
 
-    /// Is light of lamps summed that comes this way?
-    pub fn sums(&self, chain: &Chain) -> bool {
-        self.sums_emitters() && self.follows(chain)
+    /// Are there so few lamps that each is summed everywhere? Else some are, by chance.
+    pub fn sums_all_lamps(&self) -> bool {
+        ASKED.takes_all(self.lamps.all().len())
     }
 
     /// The radiance, in W/(m² sr), of the sky for a ray that leaves the scene in this
@@ -131,7 +128,8 @@ impl<'a> Direct<'a> {
         }
     }
 
-    fn follows(&self, chain: &Chain) -> bool {
+    /// Is the light of lamps summed that comes this way, and that of openings?
+    pub fn follows(&self, chain: &Chain) -> bool {
         !chain.bent && chain.bounces <= self.world.levels()
     }
 
@@ -161,6 +159,22 @@ impl<'a> Direct<'a> {
         // ANCHOR_END: rise
     }
 
+    /// The lamps that are summed on a piece, and what each counts. Those by chance are the
+    /// same all over the piece, so that light is smooth there.
+    fn asked(&self, piece: &Polygon) -> Vec<(usize, f64)> {
+        let all = self.lamps.all();
+        if self.sums_all_lamps() {
+            return (0..all.len()).map(|k| (k, 1.0)).collect();
+        }
+        let place = Receiver::piece(piece);
+        let images = self.world.images();
+        let weight = |lamp: &Lamp| {
+            images.iter().map(|i| lamp.estimate(&place, i.transform())).sum()
+        };
+        let weights: Vec<f64> = all.iter().map(weight).collect();
+        ASKED.choose(&weights, &place.middle.to_array().map(f64::to_bits))
+    }
+
     /// The light on `piece`, a part of a surface: only what reaches into the shafts between
     /// it and the emitters is asked about.
     pub fn on(&self, piece: &Polygon) -> OnPiece<'_> {
@@ -168,10 +182,15 @@ impl<'a> Direct<'a> {
             let sights = self.world.sights(piece, emitter).into_iter();
             sights.map(move |sight| (sight, e))
         };
+        let asked = self.asked(piece);
+        let of_lamp = |(k, counts): (usize, f64)| {
+            let all = self.lamps.all();
+            lamp(&all[k].outline, counts * all[k].emission)
+        };
         let of_sky = |portal| self.world.sights(piece, portal).into_iter();
         OnPiece {
             normal: piece.normal(),
-            lamps: self.emitters.iter().flat_map(|l| lamp(l.0, l.1)).collect(),
+            lamps: asked.into_iter().flat_map(of_lamp).collect(),
             suns: self.suns.iter().flat_map(|l| lamp(&l.0, l.1)).collect(),
             portals: self.portals.iter().flat_map(of_sky).collect(),
             sky: self.rest.as_ref().or(self.sky),

@@ -28,10 +28,15 @@
 //! 1760; Wallace, Cohen & Greenberg 1987 (images of lamps).
 
 mod direct;
+pub mod lamps;
 mod near_lamps;
 mod portals;
+mod sampler;
+mod seen;
 
 pub use direct::{Direct, OnPiece};
+pub use sampler::{LightSampler, SampledLight};
+pub use seen::{LampsSeen, Panes};
 
 use crate::occlusion::Blockers;
 use crate::scene::Scene;

@@ -8,6 +8,7 @@
 //! element much larger than the spot miss it, and find the element dark.
 
 use super::Direct;
+use super::lamps::Lamp;
 use crate::geometry::Polygon;
 use glam::DVec3;
 
@@ -22,7 +23,8 @@ impl Direct<'_> {
     pub(crate) fn near_lamps(&self, element: &Polygon) -> Vec<(DVec3, f64)> {
         let (middle, size, area) =
             (element.centroid(), element.diameter(), element.area());
-        let spot = |&(lamp, _): &(&Polygon, _)| {
+        let spot = |lamp: &Lamp| {
+            let lamp = &lamp.outline;
             let far = middle.distance(lamp.centroid()) - size - lamp.diameter();
             let faces = |p: &Polygon, q: &Polygon| {
                 q.vertices().iter().any(|&v| p.plane().height(v) > 0.0)
@@ -36,7 +38,7 @@ impl Direct<'_> {
             let spot = lamp.area() + d * (perimeter + std::f64::consts::PI * d);
             (spot < area && faces(lamp, element)).then_some((at, spot))
         };
-        self.emitters.iter().filter_map(spot).collect()
+        self.lamps().all().iter().filter_map(spot).collect()
     }
 }
 

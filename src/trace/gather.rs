@@ -1,9 +1,9 @@
 //! Final gathering: the light on one point, from all sides.
 
-use super::lamps::Lamps;
 use super::tree::{Journey, Shade, Tally, Tree};
 use crate::geometry::{Frame, Ray, Rgb};
 use crate::radiometry::cosine_direction;
+use crate::room::LampsSeen;
 use glam::{DVec3, dvec2};
 
 /// A point of a surface on which light is gathered.
@@ -17,7 +17,7 @@ pub(super) struct GatherPoint {
 /// projected hemisphere.
 pub(super) struct FinalGather<'t, 's> {
     pub tree: &'t Tree<'s>,
-    pub lamps: &'t Lamps,
+    pub lamps: &'t LampsSeen<'s>,
     pub rays: usize,
 }
 
@@ -36,7 +36,7 @@ impl FinalGather<'_, '_> {
         tally: &mut Tally,
         shade: Shade,
     ) -> Rgb {
-        let direct = self.lamps.irradiance((surface, at, normal), |_| Rgb::ONE);
+        let direct = self.lamps.irradiance((surface, at), |_| Rgb::ONE);
         let frame = Frame::about(normal);
         let share = Rgb::splat(1.0 / self.rays as f64);
         let on = Journey {
@@ -45,7 +45,7 @@ impl FinalGather<'_, '_> {
             depth: journey.depth + 1,
             media: journey.media.clone(),
             leaving: Some(surface),
-            lamps_are_counted: self.tree.lamps_are_counted,
+            lamps_are_counted: true,
         };
         let mut sum = Rgb::ZERO;
         // ANCHOR: gathered

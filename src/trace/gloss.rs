@@ -1,11 +1,11 @@
 //! Gloss: light gathered over the cone about the reflection ray.
 
 use super::cone::Cone;
-use super::lamps::Lamps;
 use super::tree::{Journey, Shade, Tally, Tree};
 use crate::geometry::{Frame, Ray, Rgb};
 use crate::material::Lobe;
 use crate::material::optics::reflect;
+use crate::room::LampsSeen;
 use crate::ways::Meeting;
 use glam::{DVec3, dvec2};
 use std::f64::consts::TAU;
@@ -69,7 +69,7 @@ impl<'s> Glossy<'s> {
     /// ```text
     /// L = Ks (n + 2)/2π Σ_lamps E/π · mean of Ω⊥(lamp ∩ cone) over the stack
     /// ```
-    pub(super) fn of_lamps(&self, lamps: &Lamps, offset: f64) -> Rgb {
+    pub(super) fn of_lamps(&self, lamps: &LampsSeen, offset: f64) -> Rgb {
         // ANCHOR: of_lamps
         let (cones, counts) = self.cones(offset);
         let mut sum = Rgb::ZERO;

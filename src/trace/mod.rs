@@ -34,7 +34,6 @@ mod cone;
 mod expose;
 mod gather;
 mod gloss;
-mod lamps;
 mod method;
 mod path;
 mod tree;

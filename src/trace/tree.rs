@@ -103,7 +103,7 @@ pub(super) struct Tree<'s> {
     pub visibility: Arc<Visibility>,
     pub solids: Arc<Solids>,
     pub limits: Limits,
-    /// Are lamps summed exactly where light is scattered, so that scattered rays that meet
+    /// Are lamps summed exactly where gloss scatters light, so that scattered rays that meet
     /// them next find them dark?
     pub lamps_are_counted: bool,
 }

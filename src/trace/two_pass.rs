@@ -3,13 +3,12 @@
 use super::expose::{Along, First, Looked, Shown, expose, followed};
 use super::gather::{FinalGather, GatherPoint};
 use super::gloss::{Gloss, Glossy};
-use super::lamps::{Lamps, Panes};
 use super::tree::{Journey, Limits, Tally, Tree};
 use crate::field::Field;
 use crate::film::Shot;
 use crate::geometry::{Ray, Rgb};
 use crate::mesh::{ElementId, Locator, Mesh};
-use crate::room::Room;
+use crate::room::{LampsSeen, Panes, Room};
 use crate::ways::Meeting;
 use crate::work::Progress;
 use std::borrow::Cow;
@@ -44,7 +43,7 @@ pub struct TwoPass<'s> {
     /// `B`, W/m², per vertex of the mesh.
     radiosity: Cow<'s, [Rgb]>,
     locator: Locator,
-    lamps: Lamps,
+    lamps: LampsSeen<'s>,
     options: Look,
 }
 
@@ -74,13 +73,10 @@ impl<'s> TwoPass<'s> {
     ) -> TwoPass<'s> {
         let scene = room.scene;
         assert_eq!(radiosity.len(), mesh.vertices.len(), "one B for each vertex");
-        let asks = |m: &crate::material::Material| {
-            options.gather > 0 || m.shine().gloss().is_some()
-        };
-        let lamps = Lamps::of(scene, Panes::Block, asks);
+        let lamps = LampsSeen::of(room, Panes::Block);
         let pieces = mesh.elements.iter().map(|e| (mesh.surface_of(e), &e.polygon));
         let locator = Locator::of(scene, pieces);
-        let lamps_are_counted = lamps.are_counted();
+        let lamps_are_counted = lamps.are_few();
         let tree = Tree { lamps_are_counted, ..Tree::of(room, options.limits) };
         TwoPass { tree, mesh, radiosity, locator, lamps, options }
     }
@@ -147,12 +143,15 @@ impl<'s> TwoPass<'s> {
     }
     // ANCHOR_END: stored
 
-    /// What gloss shows, W/(m² sr): the lamps exactly, all else by rays.
+    /// What gloss shows, W/(m² sr): the lamps exactly if they are few, all else by rays.
     // ANCHOR: gloss
     fn gloss(&self, at: &Meeting, journey: &Journey, tally: &mut Tally) -> Rgb {
         let how = self.options.gloss;
         let Some(glossy) = Glossy::of(at, how) else { return Rgb::ZERO };
-        let lamps = glossy.of_lamps(&self.lamps, tally.offset());
+        let lamps = match self.tree.lamps_are_counted {
+            true => glossy.of_lamps(&self.lamps, tally.offset()),
+            false => Rgb::ZERO,
+        };
         let shade =
             |at: &Meeting, on: &Journey, tally: &mut Tally| self.shade(at, on, tally);
         lamps + glossy.by_rays(&self.tree, journey, tally, &shade)

@@ -2,13 +2,12 @@
 
 use super::expose::{Along, First, Looked, Shown, expose, followed};
 use super::gloss::{Gloss, Glossy};
-use super::lamps::{Lamps, Panes};
 use super::tree::{Limits, Tally, Tree};
 use crate::film::Shot;
 use crate::geometry::{Polygon, Ray, Rgb};
 use crate::material::Material;
 use crate::mesh::Mesh;
-use crate::room::Room;
+use crate::room::{LampsSeen, Panes, Room};
 use crate::ways::{Media, Meeting, straight};
 use crate::work::Progress;
 use glam::DVec3;
@@ -27,7 +26,7 @@ pub struct Whitted<'s> {
     tree: Tree<'s>,
     /// One element for each surface: what the eye sees first is looked up.
     mesh: Mesh,
-    lamps: Lamps,
+    lamps: LampsSeen<'s>,
     has_panes: bool,
     /// `A`, W/m²: irradiance that is the same everywhere; 0 unless it is set.
     pub ambient: Rgb,
@@ -39,7 +38,7 @@ impl<'s> Whitted<'s> {
         let scene = room.scene;
         let has_panes = scene.surfaces.iter().any(|s| is_pane(scene.material(s)));
         let mesh = Mesh::whole(scene);
-        let lamps = Lamps::of(scene, Panes::Pass, |_| true);
+        let lamps = LampsSeen::of(room, Panes::Pass);
         let tree = Tree::of(room, limits);
         Whitted { tree, mesh, lamps, has_panes, ambient: Rgb::ZERO }
     }
@@ -77,9 +76,8 @@ impl<'s> Whitted<'s> {
     /// Irradiance, W/m², straight from the lamps, and `A`.
     // ANCHOR: light_on
     fn light_on(&self, surface: u32, x: DVec3) -> Rgb {
-        let normal = self.tree.scene.surfaces[surface as usize].polygon.normal();
         let through = |lamp: &Polygon| self.through_panes(x, lamp.centroid());
-        self.ambient + self.lamps.irradiance((surface, x, normal), through)
+        self.ambient + self.lamps.irradiance((surface, x), through)
     }
     // ANCHOR_END: light_on
 

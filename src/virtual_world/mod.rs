@@ -64,6 +64,7 @@ use crate::geometry::{Polygon, Rgb};
 use crate::material::optics::pane;
 use crate::occlusion::{Blockers, joined_tiles};
 use crate::scene::{Scene, Side};
+use std::sync::Arc;
 
 /// A flat mirror, or one side of a pane.
 #[derive(Clone, Debug)]
@@ -125,7 +126,7 @@ pub struct VirtualWorld {
     images: Vec<Image>,
     /// For each surface the mirror that its front is (part of).
     mirror_of: Vec<Option<u32>>,
-    blockers: Blockers,
+    blockers: Arc<Blockers>,
     margin: f64,
     levels: u32,
 }
@@ -161,7 +162,7 @@ impl VirtualWorld {
             mirrors,
             panes,
             images: vec![Image::identity()],
-            blockers: Blockers::of(scene),
+            blockers: Arc::new(Blockers::of(scene)),
             margin,
             levels: 0,
         };
@@ -270,7 +271,7 @@ impl VirtualWorld {
     }
 
     /// What stands in the way of straight light.
-    pub fn blockers(&self) -> &Blockers {
+    pub fn blockers(&self) -> &Arc<Blockers> {
         &self.blockers
     }
 }

@@ -40,7 +40,7 @@ impl Truth {
             (Enclosure::of(scene, mesh), Enclosure::of(scene, &fine.0));
         let (blockers, direct) = (Blockers::of(scene), Direct::of(scene));
         let each = (4000 / mesh.elements.len()).clamp(16, 1024);
-        assert!(direct.sums_emitters(), "too many emitters for an exact sum");
+        assert!(direct.sums_all_lamps(), "too many lamps for an exact sum");
         let mut places = Vec::new();
         for (k, element) in mesh.elements.iter().enumerate() {
             let rho = enclosure.reflectance[k];

@@ -10,6 +10,7 @@ mod determinism;
 mod directional;
 mod hierarchy;
 mod ledger;
+mod many_lamps;
 mod overshoot;
 mod plan;
 mod smooth;

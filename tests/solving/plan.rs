@@ -3,7 +3,7 @@
 use radiosity::room::Room;
 use radiosity::work::Work;
 
-use radiosity::geometry::Rgb;
+use radiosity::geometry::{Polygon, Rgb};
 use radiosity::material::{Coefficients, Material, Shine};
 use radiosity::plan::{Plan, Planned, PlannedWay};
 use radiosity::scene::{Scene, built_in, builtins};
@@ -123,22 +123,45 @@ fn second_bounces_below_the_budget_are_left_out() {
     );
 }
 
-#[test]
-fn many_lamps_are_gathered() {
-    // Each tile of the ceiling of a room shines: more than are summed one by one.
+/// The lamp of a room in tiles, each moved in to this share of its size.
+fn with_lamp_in_tiles(tiles: usize, share: f64) -> Scene {
     let mut many = scene("l-room");
     let lamp = many.surfaces.iter().position(|s| many.material(s).emits()).unwrap();
     let lamp = many.surfaces.remove(lamp);
-    let mut tiles = vec![lamp.polygon.clone()];
-    while tiles.len() <= 32 {
-        tiles = tiles.iter().flat_map(|t| t.halves().collect::<Vec<_>>()).collect();
-        assert!(tiles.len() < 1000);
+    let mut outlines = vec![lamp.polygon.clone()];
+    while outlines.len() < tiles {
+        outlines =
+            outlines.iter().flat_map(|t| t.halves().collect::<Vec<_>>()).collect();
     }
-    let of_lamp = |polygon| radiosity::scene::Surface { polygon, ..lamp.clone() };
-    many.surfaces.extend(tiles.into_iter().map(of_lamp));
-    let plan = Plan::of(&Room::of(&many), 0.1);
-    assert!(!plan.survey.sums_emitters);
-    assert!(why(&plan, "lamps").contains("gathered with all other light"));
+    let smaller = |t: Polygon| {
+        let corners = t.vertices().iter().map(|v| t.centroid().lerp(*v, share));
+        Polygon::new(corners.collect()).unwrap()
+    };
+    let of_lamp = |t| radiosity::scene::Surface { polygon: smaller(t), ..lamp.clone() };
+    many.surfaces.extend(outlines.into_iter().map(of_lamp));
+    many
+}
+
+/// Tiles of a lamp are the lamp; some of many lamps are asked by chance; either way the plan
+/// keeps what it promises, and predicts the hemicubes within a factor of two.
+#[test]
+fn many_lamps_are_told() {
+    let whole = Plan::of(&Room::of(&scene("l-room")), 0.1);
+    let tiled = with_lamp_in_tiles(64, 1.0);
+    let plan = Plan::of(&Room::of(&tiled), 0.1);
+    assert_eq!(plan.survey.lamps, 1);
+    assert!(why(&plan, "lamps").contains("tiles of one lamp: its light is summed"));
+    let done = run(&plan, &tiled).solution;
+    assert!(done.converged, "{:?}", done.certificate);
+    let rows: usize = done.attempts.iter().map(|a| a.rows).sum();
+    assert!((rows as f64) < 2.0 * whole.predicted.hemicubes, "{rows} hemicubes");
+
+    let apart = with_lamp_in_tiles(512, 0.8);
+    let plan = Plan::of(&Room::of(&apart), 0.1);
+    assert!(plan.survey.lamps == 512 && !plan.survey.sums_all_lamps);
+    assert!(why(&plan, "lamps").contains("some others by chance"));
+    let done = run(&plan, &apart).solution;
+    assert!(done.converged, "{:?}", done.certificate);
 }
 
 #[test]

@@ -26,14 +26,8 @@ pub(super) struct FirstBounce {
 }
 
 impl FirstBounce {
-    /// Of the direct light at the vertices of the elements; `sums_lamps` where that is all
-    /// light which comes straight from lamps.
-    pub fn of(
-        scene: &Scene,
-        patches: &SmoothPatches,
-        direct: &[Rgb],
-        sums_lamps: bool,
-    ) -> FirstBounce {
+    /// Of the direct light at the vertices of the elements.
+    pub fn of(scene: &Scene, patches: &SmoothPatches, direct: &[Rgb]) -> FirstBounce {
         let (levels, emission) = (patches.levels, &patches.enclosure.emission);
         let mut at_corners = levels.at_patch_corners(direct).to_vec();
         levels.patches().anchor(&mut at_corners);
@@ -42,17 +36,12 @@ impl FirstBounce {
         let direct = BothSides::new(direct, &Backs::of(scene, fine));
         let arriving = direct.element_means(fine).map(|h| levels.patch_means(&h));
         let reflected = |k| patches.scattered(k, [arriving[0][k], arriving[1][k]]);
-        let lamp = |k| if sums_lamps { Rgb::ZERO } else { emission[k] };
         let of_patch = |k| {
             let mut b = patches.slopes(k, &at_corners);
-            b[0] += reflected(k) - patches.hemicubes.mean(k, &b) + lamp(k);
+            b[0] += reflected(k) - patches.hemicubes.mean(k, &b);
             b
         };
-        let of_element = |e| {
-            let mut b = patches.element_slopes(e, &direct);
-            b[0] += lamp(fine.element(e).patch);
-            b
-        };
+        let of_element = |e| patches.element_slopes(e, &direct);
         let elements = (0..fine.elements.len() as u32).map(ElementId);
         FirstBounce {
             of_patches: patches.ids().map(of_patch).collect(),

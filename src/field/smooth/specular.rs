@@ -169,7 +169,7 @@ impl<'a> SpecularTransport<'a> {
                 if straight || !front {
                     return;
                 }
-                if !self.direct.sums(&chain) {
+                if !self.direct.follows(&chain) {
                     seen.known += weight * material.emission();
                 }
                 let outline = |k: u32| &self.elements.element(ElementId(k)).polygon;

@@ -80,7 +80,7 @@ impl<'a> System<'a> {
         let hemicubes = Linear::new(levels, hemicube).following(followed);
         let patches = SmoothPatches::of(scene, levels, hemicubes);
         System {
-            first: FirstBounce::of(scene, &patches, light, direct.sums_emitters()),
+            first: FirstBounce::of(scene, &patches, light),
             specular: SpecularTransport::new(room, levels.elements()),
             mean_correction: vec![Rgb::ZERO; patches.enclosure.len()],
             rows: Vec::new(),

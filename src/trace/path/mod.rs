@@ -18,7 +18,6 @@
 //! Sources: Kajiya 1986; Veach & Guibas 1995 (multiple importance sampling); Arvo & Kirk
 //! 1990 (Russian roulette).
 
-mod lamps;
 mod measure;
 
 pub use measure::{Estimate, Traced};
@@ -27,12 +26,11 @@ use super::classes::{Class, Word};
 use crate::geometry::{Frame, Ray, Rgb};
 use crate::material::Lobe;
 use crate::random::Stream;
-use crate::room::Room;
+use crate::room::{LightSampler, Room, SampledLight};
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 use crate::ways::{Event, Letter, Media, Meeting, Solids, Way, choose, straight, ways};
 use glam::{DVec3, dvec2};
-use lamps::{Lamps, Light};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -54,7 +52,7 @@ pub struct PathTracer<'s> {
     scene: &'s Scene,
     visibility: Arc<Visibility>,
     solids: Arc<Solids>,
-    lamps: Lamps,
+    lamps: LightSampler,
     strategy: Strategy,
 }
 
@@ -103,7 +101,7 @@ impl<'s> PathTracer<'s> {
             scene: room.scene,
             visibility: room.visibility().clone(),
             solids: room.solids().clone(),
-            lamps: Lamps::of(room.scene),
+            lamps: LightSampler::of(room),
             strategy: Strategy::Both,
         }
     }
@@ -211,9 +209,10 @@ impl<'s> PathTracer<'s> {
     }
 
     fn meet_lamp(&self, walk: &Walk, met: &Meeting, tally: PathTally) {
-        if met.front && met.material.emits() {
+        let lamp = self.lamps.lamp_of(met.surface).filter(|_| met.front);
+        if let Some(lamp) = lamp {
             let share = self.share_of_lobe(walk, |from| {
-                self.lamps.pdf_of_lamp(self.scene, met.surface, from, met.point)
+                self.lamps.pdf_of_lamp(lamp, from, met.point)
             });
             let weight = share * walk.denser * walk.weight;
             tally(walk.word.class(), weight * met.material.emission() / PI);
@@ -270,7 +269,7 @@ impl<'s> PathTracer<'s> {
 
     /// Looks from the ray's origin towards a lamp, through panes; `None` where something
     /// stands between.
-    fn clear(&self, walk: &Walk, light: &Light) -> Option<Clear> {
+    fn clear(&self, walk: &Walk, light: &SampledLight) -> Option<Clear> {
         let mut ray = Ray { origin: walk.ray.origin, direction: light.direction };
         let (mut leaving, mut media) = (walk.leaving, walk.media.clone());
         let mut clear = Clear { share: Rgb::ONE, chance: 1.0, word: walk.word };
@@ -279,7 +278,11 @@ impl<'s> PathTracer<'s> {
                 return light.lamp.is_none().then_some(clear);
             };
             let met = Meeting::of(self.scene, &self.solids, &ray, &hit);
-            if Some(met.surface) == light.lamp && met.front {
+            if met.front
+                && light
+                    .lamp
+                    .is_some_and(|k| self.lamps.lamp_of(met.surface) == Some(k))
+            {
                 return Some(clear);
             }
             let (share, chance) = straight(&met, &mut media)?;

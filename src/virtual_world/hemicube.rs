@@ -61,7 +61,6 @@ impl<'a> ExtendedHemicube<'a> {
         buffer: &ItemBuffer,
         books: &mut Books,
     ) -> Vec<CubeLook<'static>> {
-        let size = (buffer.width(), buffer.height());
         // By mirror and side: what each cell counts in the next picture.
         let mut mirrored: BTreeMap<(u32, bool), Vec<f64>> = BTreeMap::new();
         let mut passed: BTreeMap<(u32, bool), Vec<f64>> = BTreeMap::new();
@@ -81,7 +80,7 @@ impl<'a> ExtendedHemicube<'a> {
             let surface = self.mesh.surface_of(&self.mesh.elements[element as usize]);
             let mirror = self.world.mirror_of[surface as usize];
             let cosine = match mirror {
-                Some(_) => self.cosine(&look.view, size, cell, element),
+                Some(_) => self.cosine(&look.view, buffer, cell, element),
                 None => 1.0,
             };
             let next =
@@ -150,9 +149,16 @@ impl<'a> ExtendedHemicube<'a> {
     }
 
     /// Between a cell's line of sight and an element's normal.
-    fn cosine(&self, view: &View, size: (u32, u32), cell: usize, element: u32) -> f64 {
-        let (x, y) = (cell as u32 % size.0, cell as u32 / size.0);
-        let direction = view.direction(View::pixel_centre(x, y, size.0, size.1));
+    fn cosine(
+        &self,
+        view: &View,
+        cells: &ItemBuffer,
+        cell: usize,
+        element: u32,
+    ) -> f64 {
+        let (width, height) = (cells.width(), cells.height());
+        let (x, y) = (cell as u32 % width, cell as u32 / width);
+        let direction = view.direction(View::pixel_centre(x, y, width, height));
         let normal = self.mesh.elements[element as usize].polygon.normal();
         (direction.dot(normal).abs() / direction.length()).min(1.0)
     }

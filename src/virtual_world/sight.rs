@@ -93,7 +93,9 @@ impl VirtualWorld {
         };
         self.add_mirrors(image, &mut sight);
         for leg in 0..=image.mirrors.len() {
-            self.add_leg(image, leg, piece, target, &mut sight);
+            let (blockers, veils) = self.on_leg(image, leg, piece, target);
+            sight.blockers.extend(blockers);
+            sight.veils.extend(veils);
         }
         (!sight.is_hidden(piece)).then_some(sight)
     }
@@ -110,16 +112,15 @@ impl VirtualWorld {
         }
     }
 
-    /// Adds what may stand in the way on one leg, between the mirrors at its ends, moved to
-    /// where it is seen.
-    fn add_leg(
+    /// What may stand in the way on one leg, between the mirrors at its ends, moved to where
+    /// it is seen: what hides, and panes.
+    fn on_leg(
         &self,
         image: &Image,
         leg: usize,
         piece: &Polygon,
         target: &Polygon,
-        sight: &mut Sight,
-    ) {
+    ) -> (Vec<Blocker>, Vec<Veil>) {
         let mirror = |k: usize| &self.mirrors[image.mirrors[k] as usize].outline;
         let unfold = &image.legs()[leg];
         let from = piece.moved(&unfold.inverse());
@@ -133,26 +134,27 @@ impl VirtualWorld {
         for &end in &ends {
             found = found.iter().flat_map(|b| b.in_front(end, self.margin)).collect();
         }
-        sight.blockers.extend(found.iter().map(|b| b.moved(unfold)));
+        let blockers = found.iter().map(|b| b.moved(unfold)).collect();
         // ANCHOR_END: leg
-        if !self.panes.is_empty() {
-            let last = leg == image.mirrors.len();
-            let before = last.then(|| target.plane());
-            let shaft = Shaft::between(&from, to, self.margin);
-            self.add_veils(&shaft, &ends, before, unfold, sight);
+        if self.panes.is_empty() {
+            return (blockers, Vec::new());
         }
+        let last = leg == image.mirrors.len();
+        let before = last.then(|| target.plane());
+        let shaft = Shaft::between(&from, to, self.margin);
+        (blockers, self.veils(&shaft, &ends, before, unfold))
     }
 
-    /// Adds the panes in the shaft of a leg, between the mirrors at its `ends` and, on the
+    /// The panes in the shaft of a leg, between the mirrors at its `ends` and, on the
     /// last leg, before the plane of the target.
-    fn add_veils(
+    fn veils(
         &self,
         shaft: &Shaft,
         ends: &[Plane],
         before: Option<Plane>,
         unfold: &DAffine3,
-        sight: &mut Sight,
-    ) {
+    ) -> Vec<Veil> {
+        let mut veils = Vec::new();
         for pane in &self.panes {
             let mut rest = Some(self.standing_before(&pane.outline, before));
             for &end in ends.iter().chain(&before) {
@@ -164,8 +166,9 @@ impl VirtualWorld {
             let Some(rest) = rest.filter(|p| !shaft.misses_all(p.vertices())) else {
                 continue;
             };
-            sight.veils.push(Veil { outline: rest.moved(unfold), pane: pane.clone() });
+            veils.push(Veil { outline: rest.moved(unfold), pane: pane.clone() });
         }
+        veils
     }
 
     /// A pane that lies in the plane of a target stands a hair before it, as one that fills

@@ -111,10 +111,10 @@ fn first_sentence(header: &[&str]) -> String {
     text[..end].trim_end_matches('.').to_string()
 }
 
-/// The titles between stars, from the word "Chapter" of a header to its sources.
+/// The titles between stars, from the word "chapter" of a header to its sources.
 fn chapters(header: &[&str]) -> Vec<String> {
     let text = header.iter().map(|line| line.trim()).collect::<Vec<_>>().join(" ");
-    let Some((_, named)) = text.split_once("Chapter") else { return vec![] };
+    let Some((_, named)) = text.split_once("hapter") else { return vec![] };
     let named = named.split("Source").next().unwrap_or(named);
     named.split('*').skip(1).step_by(2).map(str::to_string).collect()
 }

@@ -6,6 +6,7 @@ mod common;
 
 mod film;
 mod obj;
+mod obj_comments;
 mod obj_garbage;
 mod obj_shiny;
 mod scenes;

@@ -83,14 +83,17 @@ fn one_thread_and_two_give_the_same_bytes() {
 #[test]
 fn refinement_takes_the_same_way() {
     let scene = built_in("facing-squares").unwrap();
-    let goal = Goal { most_elements: 500, ..Goal::within(0.02) };
     let methods: [&dyn Pass1; 3] = [&Classical::default(), &Smooth, &Links];
     for method in methods {
         let run = || {
             let room = Room::of(&scene);
             let coarse = method.first(&room, 0.5);
-            let found = solve_from(&room, method, coarse, &goal, &Work::quiet());
-            let found = found.unwrap();
+            let to = |tolerance: f64| {
+                let goal = Goal { most_elements: 500, ..Goal::within(tolerance) };
+                solve_from(&room, method, coarse, &goal, &Work::quiet()).unwrap()
+            };
+            // Half of what the coarse one is surely off by: it cannot be enough.
+            let found = to(0.5 * to(0.5).certificate.low);
             assert!(found.attempts.len() > 1, "nothing was refined");
             everything(&scene, &found)
         };

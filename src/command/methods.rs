@@ -71,6 +71,9 @@ pub fn first_pass(
     way: &Way,
     terminal: &Terminal,
 ) -> Result<Option<Solved>, Refusal> {
+    if let Some(words) = method.leaves_out(room.scene) {
+        terminal.warn(words);
+    }
     if method.solves() {
         return solved(room, way, terminal).map(Some);
     }

@@ -64,6 +64,22 @@ impl PictureMethod {
         }
     }
 
+    /// What of this scene's light it leaves out, in a sentence; `None` where nothing is.
+    pub fn leaves_out(self, scene: &Scene) -> Option<&'static str> {
+        let sky = scene.sky.as_ref().is_some_and(Sky::shines);
+        match self {
+            PictureMethod::RayTrace if sky => Some(
+                "ray tracing shows the sky and lights nothing by it; choose two-pass to \
+                 have its light as well",
+            ),
+            PictureMethod::Radiosity if sky || scene.shines() => Some(
+                "radiosity alone shows neither the sky nor what shines, which are black; \
+                 choose two-pass to see them",
+            ),
+            _ => None,
+        }
+    }
+
     /// All of them.
     pub const ALL: [PictureMethod; 4] = [
         PictureMethod::Radiosity,

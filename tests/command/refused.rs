@@ -303,3 +303,16 @@ fn a_sky_that_cannot_be() {
 fn radiosity_png() -> Vec<u8> {
     vec![0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n', 0, 0, 0, 13]
 }
+
+/// No answer leaves the command in which a lamp or the sky was left out.
+#[test]
+fn methods_refuse_light_that_they_do_not_know() {
+    let folder = Folder::new();
+    for (asked, words) in [
+        ("sky-room --method shoot", ["shoot", "sky", "--method auto"]),
+        ("sky-room --form-factors hemicube", ["shoot", "sky", "--method auto"]),
+        ("mirror-room --method hierarchy", ["hierarchy", "mirrors", "--method auto"]),
+    ] {
+        refused(&folder, &format!("solve {asked} -o old.csv --quiet"), &words);
+    }
+}

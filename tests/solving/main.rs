@@ -11,6 +11,7 @@ mod directional;
 mod hierarchy;
 mod ledger;
 mod many_lamps;
+mod one_loop;
 mod overshoot;
 mod plan;
 mod smooth;

@@ -58,7 +58,7 @@ struct ScatteringSide<'p> {
 
 /// What one gather finds.
 #[derive(Default)]
-struct Found {
+struct GatheredLight {
     /// `ρ H`, W/m².
     light: Rgb,
     met: Vec<(u32, Rgb)>,
@@ -120,14 +120,14 @@ impl<'a> Gathering<'a> {
         let gather = |set: u64| {
             let name = [h as u64, k as u64, set];
             let mut random = Stream::named(self.sampling.seed, &name);
-            let mut found = Found::default();
+            let mut found = GatheredLight::default();
             for side in sides() {
                 self.indirect(side, x, &mut random, &mut found);
             }
             found
         };
         let [first, second] = [gather(1), gather(2)];
-        let residual = |found: &Found| e + direct + found.light - b;
+        let residual = |found: &GatheredLight| e + direct + found.light - b;
         // ANCHOR_END: residual
         Point {
             stratum: h as u32,
@@ -145,7 +145,7 @@ impl<'a> Gathering<'a> {
         side: &ScatteringSide,
         x: DVec3,
         random: &mut Stream,
-        found: &mut Found,
+        found: &mut GatheredLight,
     ) {
         let frame = Frame::about(side.polygon.normal());
         let share = side.share / self.sampling.rays as f64;
@@ -160,7 +160,7 @@ impl<'a> Gathering<'a> {
     }
 
     /// Adds what leaves where a ray has arrived, but for what is summed as direct.
-    fn arrive(&self, arrival: &Arrival, share: Rgb, found: &mut Found) {
+    fn arrive(&self, arrival: &Arrival, share: Rgb, found: &mut GatheredLight) {
         let Arrival { met, weight, chain } = arrival;
         let share = share * weight;
         match *met {

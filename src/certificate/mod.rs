@@ -38,9 +38,9 @@
 //! assert!((found.error - 0.1).abs() < 1e-9);
 //! ```
 //!
-//! **Not here:** what is done when the error is too large ([`crate::solution`]). Beyond the
-//! lecture: chapter *How wrong is it?*. Sources: Arvo, Torrance & Smits 1994 (the errors of
-//! radiosity told apart); Lischinski, Smits & Greenberg 1994 (bounds).
+//! **Not here:** what is done when the error is too large ([`crate::solution`]).
+//! Beyond the lecture: chapter *How wrong is it?*. Sources: Arvo, Torrance & Smits 1994
+//! (the errors of radiosity told apart); Lischinski, Smits & Greenberg 1994 (bounds).
 
 mod gathering;
 mod interval;

@@ -8,7 +8,7 @@ use radiosity::geometry::Rgb;
 use radiosity::room::Room;
 use radiosity::scene::Scene;
 use radiosity::solution::Solution;
-use radiosity::trace::{ClassRow, PathTracer, PictureMethod, Rendered, Table};
+use radiosity::trace::{ClassRow, Drawing, PathTracer, PictureMethod, Rendered, Table};
 use serde_json::{Value, json};
 
 /// More samples in a pixel are a slip of the keyboard.
@@ -57,7 +57,8 @@ pub fn make(
 ) -> Rendered {
     let progress = |what: &'static str, done, all| terminal.progress(what, done, all);
     if method != PictureMethod::PathTrace {
-        return method.draw(room, solution, shot, seed, &progress);
+        let drawing = Drawing { shot, seed, progress: &progress };
+        return method.draw(room, solution, &drawing);
     }
     // As many paths as were asked for, a square or not.
     let traced = PathTracer::of(room).picture(shot, samples, seed, &progress);

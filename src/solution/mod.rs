@@ -24,8 +24,9 @@
 //! assert!((found.radiosity[0].x - 2.0).abs() < 0.1); // E/(1 − ρ), E = 1, ρ = 1/2
 //! ```
 //!
-//! **Not here:** what a scene needs ([`crate::plan`]). Beyond the
-//! lecture: chapters *What does this scene need?* and *How wrong is it?*. Sources: Lischinski, Smits & Greenberg 1994.
+//! **Not here:** what a scene needs ([`crate::plan`]).
+//! Beyond the lecture: chapters *What does this scene need?* and *How wrong is it?*.
+//! Sources: Lischinski, Smits & Greenberg 1994.
 
 use crate::certificate::{Audit, Certificate, Judged, Sampling, audit};
 use crate::field::{Cannot, Classical, Dropped, Field, Fineness, Pass1};

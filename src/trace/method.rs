@@ -41,6 +41,24 @@ pub struct Rendered {
     pub error: Option<Vec<Rgb>>,
 }
 
+/// What is drawn, and who is told how far it is.
+#[derive(Clone, Copy)]
+pub struct Drawing<'a> {
+    /// Camera, size and samples.
+    pub shot: &'a Shot,
+    /// Names the random streams.
+    pub seed: u64,
+    /// Who is told.
+    pub progress: Progress<'a>,
+}
+
+impl std::fmt::Debug for Drawing<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let Drawing { shot, seed, .. } = self;
+        f.debug_struct("Drawing").field("shot", shot).field("seed", seed).finish()
+    }
+}
+
 impl From<Picture> for Rendered {
     fn from(picture: Picture) -> Rendered {
         Rendered { picture, rays: None, error: None }
@@ -126,12 +144,13 @@ impl PictureMethod {
     /// Paths: `samples²` through each pixel, two at least. `seed` names the random streams.
     ///
     /// ```
-    /// use radiosity::trace::PictureMethod;
+    /// use radiosity::trace::{Drawing, PictureMethod};
     /// use radiosity::{film::Shot, room::Room, scene::built_in};
     /// let scene = built_in("furnace").unwrap(); // E = 1, ρ = ½: B = 2 everywhere
     /// let shot = Shot { camera: scene.camera, width: 4, height: 4, samples: 16 };
     /// let paths = PictureMethod::PathTrace;
-    /// let drawn = paths.draw(&Room::of(&scene), None, &shot, 1, &|_, _, _| {});
+    /// let drawing = Drawing { shot: &shot, seed: 1, progress: &|_, _, _| {} };
+    /// let drawn = paths.draw(&Room::of(&scene), None, &drawing);
     /// let mean = drawn.picture.pixels.iter().map(|l| l.x).sum::<f64>() / 16.0;
     /// assert!((mean * std::f64::consts::PI - 2.0).abs() < 0.1);
     /// ```
@@ -142,9 +161,7 @@ impl PictureMethod {
         self,
         room: &Room,
         solution: Option<&Solution>,
-        shot: &Shot,
-        seed: u64,
-        progress: Progress,
+        &Drawing { shot, seed, progress }: &Drawing,
     ) -> Rendered {
         let solved = || solution.expect("this method draws what pass 1 has found");
         match self {

@@ -45,7 +45,7 @@ pub use classes::{CLASSES, Class, ClassRow, Letter, Light, Owner, Table, Word};
 pub use cone::Cone;
 pub use expose::{Along, Shown};
 pub use gloss::{Gloss, LobeAs};
-pub use method::{PictureMethod, Rendered};
+pub use method::{Drawing, PictureMethod, Rendered};
 pub use path::{Estimate, PathTracer, Strategy, Traced};
 pub use tree::Limits;
 pub use two_pass::{Look, TwoPass};

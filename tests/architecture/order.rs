@@ -29,7 +29,7 @@ fn uses(module: &str, other: &str) -> bool {
 /// Modules that stand before their row's turn, and who needs them there. This list may only
 /// shrink.
 const EARLY: [(&str, &str); 7] = [
-    ("texture", "scene"),      // a face may bear a picture
+    ("texture", "obj"),        // a face may bear a picture
     ("sky", "scene"),          // a scene may have one
     ("scene", "form_factor"),  // blockers are its surfaces
     ("mesh", "form_factor"),   // rows are of elements

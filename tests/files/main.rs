@@ -8,6 +8,7 @@ mod film;
 mod obj;
 mod obj_comments;
 mod obj_garbage;
+mod obj_limits;
 mod obj_shiny;
 mod scenes;
 mod scenes_camera;

@@ -79,7 +79,7 @@ impl Link {
 
 /// What is to become of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Verdict {
+pub(super) enum LinkVerdict {
     Keep,
     /// From each piece of the source.
     DivideSource,
@@ -125,7 +125,7 @@ impl Allowed {
         scene: &Blockers,
         receiver: NodeId,
         link: &mut Link,
-    ) -> Verdict {
+    ) -> LinkVerdict {
         let (node, source) = (forest.node(receiver), forest.node(link.source));
         let weight = reflecting(node) * self.scale;
         let light = (weight * forest.radiosity(link.source)).max_element();
@@ -138,11 +138,11 @@ impl Allowed {
         // ANCHOR_END: verdict
         let divisible = !node.is_leaf() || node.is_divisible(self.smallest);
         if bent > 1.0 && bent > spread && divisible {
-            Verdict::DivideReceiver(bent)
+            LinkVerdict::DivideReceiver(bent)
         } else if spread > 1.0 {
-            Verdict::DivideSource
+            LinkVerdict::DivideSource
         } else {
-            Verdict::Keep
+            LinkVerdict::Keep
         }
     }
 

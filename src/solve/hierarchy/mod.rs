@@ -46,7 +46,7 @@ use crate::occlusion::Blockers;
 use crate::scene::Scene;
 use crate::work::Progress;
 use glam::DMat3;
-use link::{Allowed, Verdict, reflecting};
+use link::{Allowed, LinkVerdict, reflecting};
 use rayon::prelude::*;
 
 /// The light of a scene, found over links.
@@ -175,9 +175,10 @@ impl Hierarchy {
             let judge = |(p, link): &mut (NodeId, Link)| {
                 allowed.judge(&self.forest, &self.blockers, *p, link)
             };
-            let verdicts: Vec<Verdict> = work.par_iter_mut().map(judge).collect();
-            let ask = |((p, _), verdict): (&(NodeId, Link), &Verdict)| match verdict {
-                Verdict::DivideReceiver(error) => Some((*error, *p)),
+            let verdicts: Vec<LinkVerdict> = work.par_iter_mut().map(judge).collect();
+            let ask = |((p, _), verdict): (&(NodeId, Link), &LinkVerdict)| match verdict
+            {
+                LinkVerdict::DivideReceiver(error) => Some((*error, *p)),
                 _ => None,
             };
             let asks = work.iter().zip(&verdicts).filter_map(ask).collect();
@@ -218,15 +219,17 @@ impl Hierarchy {
         &self,
         p: NodeId,
         link: &Link,
-        verdict: Verdict,
+        verdict: LinkVerdict,
         pairs: &mut Vec<(NodeId, NodeId, Obstruction)>,
     ) {
         let (q, sight) = (link.source, link.sight);
         let children = |id: NodeId| self.forest.node(id).children.clone().map(NodeId);
         match verdict {
-            Verdict::Keep => {}
-            Verdict::DivideSource => pairs.extend(children(q).map(|c| (p, c, sight))),
-            Verdict::DivideReceiver(_) => {
+            LinkVerdict::Keep => {}
+            LinkVerdict::DivideSource => {
+                pairs.extend(children(q).map(|c| (p, c, sight)))
+            }
+            LinkVerdict::DivideReceiver(_) => {
                 pairs.extend(children(p).map(|c| (c, q, sight)))
             }
         }

@@ -31,7 +31,8 @@ impl Mesh {
 /// `Σ w_k v_k = p` but for rounding: `64 ε` of the largest coordinate, times how often the
 /// least height of a corner above the line through its neighbours goes into the polygon's
 /// size. The scale does not matter, nor the number of corners by itself. A point a hair
-/// outside counts as on the edge.
+/// outside counts as on the edge. In an outline so narrow that all corners are on one line
+/// but for rounding, the weights are even.
 pub fn wachspress(polygon: &Polygon, p: DVec3) -> SmallVec<[f64; 8]> {
     let v = polygon.vertices();
     let corners = real_corners(polygon);
@@ -49,10 +50,13 @@ pub fn wachspress(polygon: &Polygon, p: DVec3) -> SmallVec<[f64; 8]> {
     let inverse = |k: usize| {
         let before = (k + n - 1) % n;
         let corner = twice(edges[before], edges[k]).max(0.0);
-        heights[before] * heights[k] / corner
+        if corner > 0.0 { heights[before] * heights[k] / corner } else { f64::INFINITY }
     };
     let inverses: SmallVec<[f64; 8]> = (0..n).map(inverse).collect();
     let least = inverses.iter().copied().fold(f64::INFINITY, f64::min);
+    if least == f64::INFINITY {
+        return smallvec![1.0 / v.len() as f64; v.len()];
+    }
     let sum: f64 = inverses.iter().map(|i| least / i).sum();
     let mut weights: SmallVec<[f64; 8]> = smallvec![0.0; v.len()];
     for (corner, inverse) in corners.iter().zip(inverses) {

@@ -217,6 +217,30 @@ fn interpolation_stands_slivers() {
     }
 }
 
+/// Pieces cut from faces that pierce each other may be as narrow as rounding, or have a
+/// corner twice: their weights are numbers, and sum to 1.
+#[test]
+fn interpolation_stands_outlines_that_rounding_closes() {
+    let (mut kept, far) = (0, dvec3(1e3 / 3.0, 1e3 / 7.0, 1e3 / 11.0));
+    for thin in (12..20).map(|digits| 0.1_f64.powi(digits)) {
+        let at = |x: f64, y: f64| far + dvec3(x, y * thin, x);
+        for outline in [
+            vec![at(0.0, 0.0), at(1.0, 0.0), at(0.4, 1.0)],
+            vec![at(0.0, 0.0), at(0.5, 0.0), at(1.0, 0.0), at(0.3, 1.0)],
+            vec![at(0.0, 0.0), at(0.0, 0.0), at(1.0, 0.0), at(0.4, 1.0)],
+        ] {
+            let Ok(polygon) = Polygon::new(outline) else { continue };
+            kept += 1;
+            for p in points_of(&polygon) {
+                let weights = wachspress(&polygon, p);
+                assert!(weights.iter().all(|w| (0.0..=1.0).contains(w)), "{weights:?}");
+                assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+            }
+        }
+    }
+    assert!(kept > 0, "no outline as narrow as that is a polygon");
+}
+
 /// A corner in the middle of a straight edge changes nothing, on the edge and off it.
 #[test]
 fn interpolation_passes_over_straight_corners() {

@@ -16,6 +16,9 @@ use rayon::prelude::*;
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
+/// Of an emission: what interpolation rounds by.
+const ROUNDING: f64 = 1e-14;
+
 /// What is known at one point.
 pub(super) struct Point {
     pub stratum: u32,
@@ -97,6 +100,13 @@ impl<'a> Gathering<'a> {
         &self.scene.materials[patch.material]
     }
 
+    /// `B` of the field at a point that emits `e`. Interpolated between equal corners it may
+    /// differ from that by rounding: no light was reflected there.
+    fn radiosity(&self, id: ElementId, x: DVec3, e: Rgb) -> Rgb {
+        let b = (self.field.radiosity)(id, x);
+        if (b - e).abs().cmple(ROUNDING * e).all() { e } else { b }
+    }
+
     fn point(&self, h: usize, k: usize, place: [f64; 2]) -> Point {
         let (which, x) = self.strata.point_at(h, place);
         let piece = &self.strata.pieces[which as usize];
@@ -115,7 +125,7 @@ impl<'a> Gathering<'a> {
         };
         let direct: Rgb = sides().map(direct).sum();
         let e = material.emission();
-        let b = (self.field.radiosity)(ElementId(piece.element), x);
+        let b = self.radiosity(ElementId(piece.element), x, e);
         // ANCHOR: residual
         let gather = |set: u64| {
             let name = [h as u64, k as u64, set];
@@ -178,7 +188,7 @@ impl<'a> Gathering<'a> {
                 let light = if h == NONE {
                     emission
                 } else {
-                    (self.field.radiosity)(element, point)
+                    self.radiosity(element, point, emission)
                 };
                 found.light += share * (light - summed);
                 if h != NONE {

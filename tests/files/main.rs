@@ -5,6 +5,7 @@
 mod common;
 
 mod film;
+mod interpolation;
 mod obj;
 mod obj_comments;
 mod obj_garbage;

@@ -89,7 +89,7 @@ fn refinement_takes_the_same_way() {
             let room = Room::of(&scene);
             let coarse = method.first(&room, 0.5);
             let to = |tolerance: f64| {
-                let goal = Goal { most_elements: 500, ..Goal::within(tolerance) };
+                let goal = Goal { most_elements: 2000, ..Goal::within(tolerance) };
                 solve_from(&room, method, coarse, &goal, &Work::quiet()).unwrap()
             };
             // Half of what the coarse one is surely off by: it cannot be enough.

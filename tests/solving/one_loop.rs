@@ -134,16 +134,3 @@ fn nan_is_never_certified() {
     let found = found.unwrap();
     assert!(!found.converged && found.certificate.high.is_infinite());
 }
-
-/// A lamp of a millimetre, two above the floor of a hall: whatever was found, what is
-/// written is the best of it, and no surface absorbs what nobody sent.
-#[test]
-fn a_spot_too_small_makes_no_light() {
-    let found = solved(&data("tinyspot.obj"), &Smooth, &Goal::within(0.2)).unwrap();
-    let best = found.attempts.iter().map(|a| a.certificate.high);
-    assert_eq!(found.certificate.high, best.fold(f64::INFINITY, f64::min));
-    let ledger = found.field.ledger;
-    println!("{ledger:?} {:?}", found.certificate);
-    let allowed = (1.0 + found.certificate.high.min(1.0)) * ledger.emitted;
-    assert!(ledger.absorbed.cmple(allowed).all(), "{ledger:?}");
-}

@@ -16,7 +16,7 @@ use crate::plan::Plan;
 use crate::room::Room;
 use crate::scene::Scene;
 use crate::solution::{Goal, Solution};
-use crate::trace::{Limits, Look, PathTracer, Table, Traced, TwoPass, Whitted};
+use crate::trace::{Look, PathTracer, Table, Traced, TwoPass, Whitted};
 use crate::work::{Progress, Work};
 use std::fmt::Write;
 
@@ -94,7 +94,7 @@ impl Comparison {
         });
         // ANCHOR_END: two_pass
         let rays = timed(clock, || {
-            Whitted::of(&Room::of(scene), Limits::default())
+            Whitted::of(&Room::of(scene), Look::default())
                 .picture(shot, progress)
                 .picture
         });

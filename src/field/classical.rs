@@ -90,7 +90,11 @@ impl Classical {
         let scene = room.scene;
         let enclosure = Enclosure::of(scene, &mesh);
         let world = VirtualWorld::of(scene, self.levels);
-        let factors = |channel| self.factors_of(scene, &mesh, (&world, channel), how);
+        let between = Between { scene, mesh: &mesh, seed: how.seed };
+        let factors = |channel: usize| match world.is_empty() {
+            true => between.plain(self.factors),
+            false => between.extended(self.factors, &world, channel),
+        };
         let solved = |channel: usize| match self.solver {
             MatrixSolver::Gather => gather(&enclosure, &*factors(channel), how, work),
             MatrixSolver::Shoot => shoot(&enclosure, &*factors(channel), how, work),
@@ -110,39 +114,52 @@ impl Classical {
             ..Field::constant(scene, mesh, irradiance)
         }
     }
+}
 
-    /// The form factors that are asked for, as light of one colour meets them: extended ones
-    /// where there is a mirror or a pane.
-    fn factors_of<'a>(
-        &self,
-        scene: &Scene,
-        mesh: &'a Mesh,
-        (world, channel): (&'a VirtualWorld, usize),
-        how: &Fineness,
-    ) -> Box<dyn FormFactors + 'a> {
-        let (seed, tolerance) = (how.seed, 0.02 / mesh.elements.len() as f64);
-        if world.is_empty() {
-            return match self.factors {
-                Factors::Analytic => {
-                    Box::new(Analytic::new(scene, mesh, tolerance, seed).sharp())
-                }
-                Factors::Sampling(rays) => Box::new(Cast::new(mesh, rays, seed)),
-                Factors::Hemicube(resolution) => {
-                    Box::new(Hemicube::new(mesh, resolution))
-                }
-            };
+/// Between which elements form factors are asked for, and what names their rays.
+struct Between<'a> {
+    scene: &'a Scene,
+    mesh: &'a Mesh,
+    seed: u64,
+}
+
+impl<'a> Between<'a> {
+    /// Form factors of elements that see nothing but each other.
+    fn plain(&self, by: Factors) -> Box<dyn FormFactors + 'a> {
+        match by {
+            Factors::Analytic => Box::new(self.analytic().sharp()),
+            Factors::Sampling(rays) => Box::new(Cast::new(self.mesh, rays, self.seed)),
+            Factors::Hemicube(resolution) => {
+                Box::new(Hemicube::new(self.mesh, resolution))
+            }
         }
-        match self.factors {
-            Factors::Analytic => Box::new(ExtendedAnalytic::new(
-                scene, mesh, world, channel, tolerance, seed,
-            )),
+    }
+
+    /// Those where there are mirrors or panes, as light of one colour meets them.
+    fn extended(
+        &self,
+        by: Factors,
+        world: &'a VirtualWorld,
+        channel: usize,
+    ) -> Box<dyn FormFactors + 'a> {
+        let mesh = self.mesh;
+        match by {
+            Factors::Analytic => {
+                Box::new(ExtendedAnalytic::of(self.analytic(), mesh, world, channel))
+            }
             Factors::Sampling(rays) => {
-                Box::new(ExtendedCast::new(mesh, world, channel, rays, seed))
+                Box::new(ExtendedCast::new(mesh, world, channel, rays, self.seed))
             }
             Factors::Hemicube(resolution) => {
                 Box::new(ExtendedHemicube::new(mesh, world, channel, resolution))
             }
         }
+    }
+
+    /// Lambert's formula, to a fiftieth of what two of the elements exchange on average.
+    fn analytic(&self) -> Analytic {
+        let accuracy = 0.02 / self.mesh.elements.len() as f64;
+        Analytic::new(self.scene, self.mesh, accuracy, self.seed)
     }
 }
 

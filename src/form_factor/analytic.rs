@@ -190,6 +190,16 @@ impl Analytic {
         }
     }
 
+    /// The absolute error of a factor that is aimed at where something stands between.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// What names the rays that count what escapes.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
     /// Asks for a thousandth of the tolerance where nothing stands between: for few, large
     /// elements, where that costs little.
     pub fn sharp(self) -> Analytic {

@@ -19,12 +19,13 @@
 //! | [`Oracle`]            | elements are to be small where it pays | what it looks at is alike|
 //!
 //! **Not here:** patches that are linear between their corners; links between patches of
-//! several sizes. Chapter *Patches and elements* (L11, L12).
+//! several sizes; faces that let light through diffusely. Chapter *Patches and elements* (L11, L12).
 //! Sources: Cohen, Greenberg, Immel & Brock 1986.
 
 use super::{Enclosure, GaussSeidel, Outcome, Solver, contraction};
 use crate::form_factor::{Lost, Matrix, Row};
 use crate::geometry::Rgb;
+use crate::material::Material;
 use crate::mesh::{Element, Mesh, Patch, VertexId};
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -85,7 +86,15 @@ impl<'a> Substructure<'a> {
     /// let fine = Substructure::new(&scene, patches.split(&all), &sees);
     /// assert_eq!(fine.factors_computed(), 24 * 96); // m n, not n²
     /// ```
+    ///
+    /// # Panics
+    /// When a face lets light through diffusely: here a patch is lit on one side.
     pub fn new(scene: &'a Scene, mesh: Mesh, sees: &'a Sees<'a>) -> Substructure<'a> {
+        let is_sheet = |m: &Material| m.translucence() != Rgb::ZERO;
+        assert!(
+            !scene.materials.iter().any(is_sheet),
+            "no faces that let light through"
+        );
         let mut new = Substructure { scene, sees, rows: vec![], mesh, computed: 0 };
         new.rows = new.rows_of(&HashMap::new());
         new

@@ -10,7 +10,8 @@
 //! tells in the same way.
 
 use super::classes::{Class, Light, Table};
-use super::two_pass::{Look, TwoPass};
+use super::look::Look;
+use super::two_pass::TwoPass;
 use crate::field::{Fineness, Pass1, Smooth};
 use crate::film::{Picture, Shot};
 use crate::geometry::Rgb;

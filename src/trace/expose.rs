@@ -17,7 +17,7 @@ pub struct Shown {
     pub picture: Picture,
     /// How many rays were followed.
     pub rays: u64,
-    /// The weight of what was cut at the [`Limits`](super::Limits), in the mean over the pixels: times the
+    /// The weight of what was cut at limits of a [`Look`](super::Look), in the mean over the pixels: times the
     /// largest radiance of the scene it is what the picture lacks at the most.
     pub cut: Rgb,
 }

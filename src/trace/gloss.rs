@@ -1,6 +1,7 @@
 //! Gloss: light gathered over the cone about the reflection ray.
 
 use super::cone::Cone;
+use super::look::{LobeAs, Look};
 use super::tree::{Journey, Shade, Tally, Tree};
 use crate::geometry::{Frame, Ray, Rgb};
 use crate::material::Lobe;
@@ -10,37 +11,10 @@ use crate::ways::Meeting;
 use glam::{DVec3, dvec2};
 use std::f64::consts::TAU;
 
-/// How gloss is integrated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gloss {
-    /// How the directions about the reflection ray count.
-    pub lobe: LobeAs,
-    /// So many rays look for what is not a lamp, from each sample of a pixel; fewer where
-    /// the gloss is seen in another surface.
-    pub rays: usize,
-}
-
-/// What stands for a Phong lobe.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum LobeAs {
-    /// One cone that holds this share of it, in `(0, 1)`; all directions in it count the
-    /// same.
-    OneCone(f64),
-    /// So many cones, stacked: the lobe itself, on average over the samples of a pixel.
-    Stack(usize),
-}
-
-impl Default for Gloss {
-    /// A stack of 8 cones, and 8 rays.
-    fn default() -> Gloss {
-        Gloss { lobe: LobeAs::Stack(8), rays: 8 }
-    }
-}
-
 /// Gloss met by a ray.
 pub(super) struct Glossy<'s> {
     at: Meeting<'s>,
-    how: Gloss,
+    look: Look,
     /// `Ks`.
     reflectance: Rgb,
     exponent: f64,
@@ -48,9 +22,9 @@ pub(super) struct Glossy<'s> {
 
 impl<'s> Glossy<'s> {
     /// The gloss of what was met, if it has any.
-    pub(super) fn of(at: &Meeting<'s>, how: Gloss) -> Option<Glossy<'s>> {
+    pub(super) fn of(at: &Meeting<'s>, look: Look) -> Option<Glossy<'s>> {
         let (reflectance, exponent) = at.material.shine().gloss()?;
-        Some(Glossy { at: *at, how, reflectance, exponent })
+        Some(Glossy { at: *at, look, reflectance, exponent })
     }
 
     /// The middle of the lobe.
@@ -89,7 +63,7 @@ impl<'s> Glossy<'s> {
     /// steradian of projected solid angle.
     // ANCHOR: cones
     fn cones(&self, offset: f64) -> (Vec<Cone>, Rgb) {
-        match self.how.lobe {
+        match self.look.lobe {
             LobeAs::OneCone(share) => {
                 let cone = Cone::holding(share, self.exponent, self.axis());
                 let all = cone.projected_solid_angle(self.at.normal);
@@ -109,7 +83,7 @@ impl<'s> Glossy<'s> {
     /// there counts; `None` below the horizon.
     fn direction(&self, u: [f64; 2]) -> Option<(DVec3, Rgb)> {
         let u = dvec2(u[0], u[1]);
-        if let LobeAs::OneCone(share) = self.how.lobe {
+        if let LobeAs::OneCone(share) = self.look.lobe {
             let cone = Cone::holding(share, self.exponent, self.axis());
             let cosine = 1.0 - u.x * (1.0 - cone.half_angle.cos());
             let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
@@ -139,7 +113,7 @@ impl<'s> Glossy<'s> {
         shade: Shade,
     ) -> Rgb {
         let importance = journey.weight.max_element().min(1.0);
-        let rays = (self.how.rays as f64 * importance).ceil().max(1.0) as usize;
+        let rays = (self.look.gloss as f64 * importance).ceil().max(1.0) as usize;
         let one = Journey { one_of: journey.one_of * rays as f64, ..journey.clone() };
         let mut sum = Rgb::ZERO;
         for u in tally.points(rays) {

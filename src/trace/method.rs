@@ -1,6 +1,6 @@
 //! Which ways of making a picture there are, and the best for a room.
 
-use super::{Limits, Look, PathTracer, Shown, TwoPass, Whitted};
+use super::{Look, PathTracer, Shown, TwoPass, Whitted};
 use crate::film::{Picture, Shot};
 use crate::geometry::Rgb;
 use crate::room::Room;
@@ -176,7 +176,7 @@ impl PictureMethod {
                 second.picture(shot, progress).into()
             }
             PictureMethod::RayTrace => {
-                Whitted::of(room, Limits::default()).picture(shot, progress).into()
+                Whitted::of(room, Look::default()).picture(shot, progress).into()
             }
             PictureMethod::PathTrace => {
                 let paths = (shot.samples as usize).pow(2).max(2);

@@ -1,5 +1,6 @@
 //! The tree of rays: what shiny surfaces make of one ray, followed branch by branch.
 
+use super::look::Look;
 use crate::geometry::{Ray, Rgb};
 use crate::material::Material;
 use crate::random::Stream;
@@ -9,22 +10,6 @@ use crate::visibility::Visibility;
 use crate::ways::{Media, Meeting, Solids, ways};
 use glam::DVec3;
 use std::sync::Arc;
-
-/// How far rays are followed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
-    /// So often one may be mirrored, refracted, passed on or scattered by gloss.
-    pub depth: u32,
-    /// Branches that count less than this in the picture are cut.
-    pub weight: f64,
-}
-
-impl Default for Limits {
-    /// Twenty-four times, and a five-hundredth.
-    fn default() -> Limits {
-        Limits { depth: 24, weight: 0.002 }
-    }
-}
 
 /// How a ray came to where it is.
 #[derive(Clone, Debug)]
@@ -102,7 +87,7 @@ pub(super) struct Tree<'s> {
     pub scene: &'s Scene,
     pub visibility: Arc<Visibility>,
     pub solids: Arc<Solids>,
-    pub limits: Limits,
+    pub look: Look,
     /// Are lamps summed exactly where gloss scatters light, so that scattered rays that meet
     /// them next find them dark?
     pub lamps_are_counted: bool,
@@ -113,10 +98,10 @@ pub(super) struct Tree<'s> {
 pub(super) type Shade<'a> = &'a dyn Fn(&Meeting, &Journey, &mut Tally) -> Rgb;
 
 impl<'s> Tree<'s> {
-    pub(super) fn of(room: &Room<'s>, limits: Limits) -> Tree<'s> {
+    pub(super) fn of(room: &Room<'s>, look: Look) -> Tree<'s> {
         let (visibility, solids) = (room.visibility().clone(), room.solids().clone());
         let lamps_are_counted = false;
-        Tree { scene: room.scene, visibility, solids, limits, lamps_are_counted }
+        Tree { scene: room.scene, visibility, solids, look, lamps_are_counted }
     }
 
     pub(super) fn material(&self, surface: u32) -> &'s Material {
@@ -180,8 +165,8 @@ impl<'s> Tree<'s> {
     ) -> Option<Journey> {
         // ANCHOR: sent_on
         let (weight, depth) = (journey.weight * share, journey.depth + 1);
-        let faint = journey.one_of * weight.max_element() < self.limits.weight;
-        if faint || depth > self.limits.depth {
+        let faint = journey.one_of * weight.max_element() < self.look.weight;
+        if faint || depth > self.look.depth {
             tally.cut += weight;
             return None;
         }

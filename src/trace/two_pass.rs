@@ -2,8 +2,9 @@
 
 use super::expose::{Along, First, Looked, Shown, expose, followed};
 use super::gather::{FinalGather, GatherPoint};
-use super::gloss::{Gloss, Glossy};
-use super::tree::{Journey, Limits, Tally, Tree};
+use super::gloss::Glossy;
+use super::look::Look;
+use super::tree::{Journey, Tally, Tree};
 use crate::field::Field;
 use crate::film::Shot;
 use crate::geometry::{Ray, Rgb};
@@ -14,27 +15,6 @@ use crate::work::Progress;
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
-/// How the second pass works.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
-    /// How far rays are followed.
-    pub limits: Limits,
-    /// How gloss is integrated.
-    pub gloss: Gloss,
-    /// So many rays gather the light on each diffuse point that the eye sees, from each
-    /// sample of a pixel; with 0 the light stored there is shown.
-    pub gather: usize,
-    /// Names the random streams.
-    pub seed: u64,
-}
-
-impl Default for Look {
-    fn default() -> Look {
-        let (limits, gloss) = (Limits::default(), Gloss::default());
-        Look { limits, gloss, gather: 0, seed: 0 }
-    }
-}
-
 /// A scene with its diffuse light, ready to be looked at.
 #[derive(Debug)]
 pub struct TwoPass<'s> {
@@ -44,14 +24,13 @@ pub struct TwoPass<'s> {
     radiosity: Cow<'s, [Rgb]>,
     locator: Locator,
     lamps: LampsSeen<'s>,
-    options: Look,
 }
 
 impl<'s> TwoPass<'s> {
     /// Of a room whose diffuse light was found.
-    pub fn of<'r: 's>(room: &Room<'r>, field: &'s Field, options: Look) -> TwoPass<'s> {
+    pub fn of<'r: 's>(room: &Room<'r>, field: &'s Field, look: Look) -> TwoPass<'s> {
         let radiosity = Cow::Owned(field.vertex_radiosity(room.scene));
-        TwoPass::with(room, &field.mesh, radiosity, options)
+        TwoPass::with(room, &field.mesh, radiosity, look)
     }
 
     /// Of a room on which this light is shown: `radiosity` is `B`, W/m², of each vertex of
@@ -60,16 +39,16 @@ impl<'s> TwoPass<'s> {
         room: &Room<'r>,
         mesh: &'s Mesh,
         radiosity: &'s [Rgb],
-        options: Look,
+        look: Look,
     ) -> TwoPass<'s> {
-        TwoPass::with(room, mesh, Cow::Borrowed(radiosity), options)
+        TwoPass::with(room, mesh, Cow::Borrowed(radiosity), look)
     }
 
     fn with<'r: 's>(
         room: &Room<'r>,
         mesh: &'s Mesh,
         radiosity: Cow<'s, [Rgb]>,
-        options: Look,
+        look: Look,
     ) -> TwoPass<'s> {
         let scene = room.scene;
         assert_eq!(radiosity.len(), mesh.vertices.len(), "one B for each vertex");
@@ -77,8 +56,8 @@ impl<'s> TwoPass<'s> {
         let pieces = mesh.elements.iter().map(|e| (mesh.surface_of(e), &e.polygon));
         let locator = Locator::of(scene, pieces);
         let lamps_are_counted = lamps.are_few();
-        let tree = Tree { lamps_are_counted, ..Tree::of(room, options.limits) };
-        TwoPass { tree, mesh, radiosity, locator, lamps, options }
+        let tree = Tree { lamps_are_counted, ..Tree::of(room, look) };
+        TwoPass { tree, mesh, radiosity, locator, lamps }
     }
 
     /// What a camera sees.
@@ -97,21 +76,21 @@ impl<'s> TwoPass<'s> {
                 self.shade(at, journey, tally)
             }),
         };
-        let (tree, mesh, seed) = (&self.tree, self.mesh, self.options.seed);
+        let (tree, mesh, seed) = (&self.tree, self.mesh, self.tree.look.seed);
         expose(shot, &Looked { tree, mesh, seed }, &radiance, progress)
         // ANCHOR_END: picture
     }
 
     /// What comes against a ray.
     pub fn along(&self, ray: &Ray) -> Along {
-        Along::of(&self.tree, ray, self.options.seed, &|at, journey, tally| {
+        Along::of(&self.tree, ray, self.tree.look.seed, &|at, journey, tally| {
             self.shade(at, journey, tally)
         })
     }
 
     /// Is all that leaves here stored?
     fn is_stored(&self, at: &Meeting) -> bool {
-        at.front && self.options.gather == 0 && at.material.shine().is_dull()
+        at.front && self.tree.look.gather == 0 && at.material.shine().is_dull()
     }
 
     /// The diffuse light and the gloss of what a ray meets.
@@ -120,7 +99,7 @@ impl<'s> TwoPass<'s> {
             return Rgb::ZERO; // black, unless it is a surface of its own
         }
         // ANCHOR: shade
-        let gathers = self.options.gather > 0 && journey.depth == 0;
+        let gathers = self.tree.look.gather > 0 && journey.depth == 0;
         let diffuse =
             if gathers { self.gather(at, journey, tally) } else { self.stored(at) };
         let counted = match journey.lamps_are_counted {
@@ -146,8 +125,7 @@ impl<'s> TwoPass<'s> {
     /// What gloss shows, W/(m² sr): the lamps exactly if they are few, all else by rays.
     // ANCHOR: gloss
     fn gloss(&self, at: &Meeting, journey: &Journey, tally: &mut Tally) -> Rgb {
-        let how = self.options.gloss;
-        let Some(glossy) = Glossy::of(at, how) else { return Rgb::ZERO };
+        let Some(glossy) = Glossy::of(at, self.tree.look) else { return Rgb::ZERO };
         let lamps = match self.tree.lamps_are_counted {
             true => glossy.of_lamps(&self.lamps, tally.offset()),
             false => Rgb::ZERO,
@@ -176,7 +154,7 @@ impl<'s> TwoPass<'s> {
             let shade = |at: &Meeting, on: &Journey, tally: &mut Tally| {
                 self.shade(at, on, tally)
             };
-            let rays = self.options.gather;
+            let rays = self.tree.look.gather;
             let by = FinalGather { tree: &self.tree, lamps: &self.lamps, rays };
             share * by.irradiance(&place, journey, tally, &shade)
         };

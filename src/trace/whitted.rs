@@ -1,8 +1,9 @@
 //! Classical ray tracing: mirrors, glass, and lamps; no light between diffuse surfaces.
 
 use super::expose::{Along, First, Looked, Shown, expose, followed};
-use super::gloss::{Gloss, Glossy};
-use super::tree::{Limits, Tally, Tree};
+use super::gloss::Glossy;
+use super::look::Look;
+use super::tree::{Tally, Tree};
 use crate::film::Shot;
 use crate::geometry::{Polygon, Ray, Rgb};
 use crate::material::Material;
@@ -34,12 +35,12 @@ pub struct Whitted<'s> {
 
 impl<'s> Whitted<'s> {
     /// Of a scene.
-    pub fn of(room: &Room<'s>, limits: Limits) -> Whitted<'s> {
+    pub fn of(room: &Room<'s>, look: Look) -> Whitted<'s> {
         let scene = room.scene;
         let has_panes = scene.surfaces.iter().any(|s| is_pane(scene.material(s)));
         let mesh = Mesh::whole(scene);
         let lamps = LampsSeen::of(room, Panes::Pass);
-        let tree = Tree::of(room, limits);
+        let tree = Tree::of(room, look);
         Whitted { tree, mesh, lamps, has_panes, ambient: Rgb::ZERO }
     }
 
@@ -103,7 +104,7 @@ impl<'s> Whitted<'s> {
     }
 
     fn gloss(&self, at: &Meeting, tally: &Tally) -> Rgb {
-        let Some(glossy) = Glossy::of(at, Gloss::default()) else { return Rgb::ZERO };
+        let Some(glossy) = Glossy::of(at, self.tree.look) else { return Rgb::ZERO };
         let lamps = glossy.of_lamps(&self.lamps, tally.offset());
         lamps + glossy.albedo() * self.ambient / PI
     }

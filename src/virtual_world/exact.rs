@@ -5,7 +5,6 @@ use super::cast::ExtendedCast;
 use crate::form_factor::analytic::Analytic;
 use crate::form_factor::{FormFactors, Lost, Matrix, Row};
 use crate::mesh::{ElementId, Mesh};
-use crate::scene::Scene;
 use rayon::prelude::*;
 
 /// Exact factors by all images; otherwise as [`Analytic`].
@@ -30,25 +29,18 @@ const LOST_RAYS: usize = 2048;
 type ExactPair = (u32, f64, f64);
 
 impl<'a> ExtendedAnalytic<'a> {
-    /// Factors of this `channel` (0, 1 or 2), each with an absolute error near `tolerance`.
-    pub fn new(
-        scene: &Scene,
+    /// Factors of this `channel` (0, 1 or 2) between the elements of `mesh`: as right as
+    /// those of `direct`, which know neither mirrors nor panes.
+    pub fn of(
+        direct: Analytic,
         mesh: &'a Mesh,
         world: &'a VirtualWorld,
         channel: usize,
-        tolerance: f64,
-        seed: u64,
     ) -> ExtendedAnalytic<'a> {
-        let direct = Analytic::new(scene, mesh, tolerance, seed);
+        let (tolerance, seed) = (direct.tolerance(), direct.seed());
         let rays = ExtendedCast::new(mesh, world, channel, LOST_RAYS, seed);
-        ExtendedAnalytic {
-            direct: direct.sharp().without_losses(),
-            rays,
-            mesh,
-            world,
-            tolerance,
-            channel,
-        }
+        let direct = direct.sharp().without_losses();
+        ExtendedAnalytic { direct, rays, mesh, world, tolerance, channel }
     }
 
     /// What element `i` exchanges with the elements of `range`.

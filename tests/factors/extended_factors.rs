@@ -5,6 +5,7 @@ use crate::common::mirrored::{diffuse, mirror, pane, scene_of};
 use crate::common::rooms::{box_walls, exact_factors, gathered, rectangle, rows};
 use glam::{DVec3, dvec3};
 use radiosity::form_factor::FormFactors;
+use radiosity::form_factor::analytic::Analytic;
 use radiosity::geometry::{Polygon, Rgb};
 use radiosity::material::Coefficients;
 use radiosity::mesh::Mesh;
@@ -54,7 +55,12 @@ fn extended_factors_are_reciprocal_and_closed_at_each_level() {
     let mesh = Mesh::whole(&scene);
     for levels in 0..3 {
         let world = VirtualWorld::of(&scene, levels);
-        let method = ExtendedAnalytic::new(&scene, &mesh, &world, 0, 1e-5, 0);
+        let method = ExtendedAnalytic::of(
+            Analytic::new(&scene, &mesh, 1e-5, 0),
+            &mesh,
+            &world,
+            0,
+        );
         let matrix = method.matrix(&|| ());
         for (i, closure) in closures(&matrix).into_iter().enumerate() {
             // Black backs are counted by 2048 rays, the rest is exact.
@@ -107,7 +113,9 @@ fn all_methods_find_the_same_extended_factors() {
     let scene = furnished(1.0);
     let mesh = Mesh::whole(&scene);
     let world = VirtualWorld::of(&scene, 2);
-    let exact = ExtendedAnalytic::new(&scene, &mesh, &world, 0, 1e-5, 0).matrix(&|| ());
+    let exact =
+        ExtendedAnalytic::of(Analytic::new(&scene, &mesh, 1e-5, 0), &mesh, &world, 0)
+            .matrix(&|| ());
     let rays = 40_000;
     let by_rays = ExtendedCast::new(&mesh, &world, 0, rays, 1);
     let off = apart(&by_rays, &exact);
@@ -142,7 +150,8 @@ fn a_room_with_a_perfect_mirror_is_the_doubled_room() {
     let scene = scene_of((0..6).map(|k| (walls[k].clone(), of(k))));
     let mesh = Mesh::uniform(&scene, 0.5);
     let world = VirtualWorld::of(&scene, 1);
-    let method = ExtendedAnalytic::new(&scene, &mesh, &world, 0, 1e-9, 0);
+    let method =
+        ExtendedAnalytic::of(Analytic::new(&scene, &mesh, 1e-9, 0), &mesh, &world, 0);
     let matrix = method.matrix(&|| ());
     let found = gathered(&Enclosure::of(&scene, &mesh), &matrix, 1e-13, 500);
 
@@ -193,7 +202,12 @@ fn the_cube_with_a_mirror_wall_has_the_light_of_the_table() {
         let scene = scene_of((0..6).map(|k| (walls[k].clone(), of(k))));
         let mesh = Mesh::whole(&scene);
         let world = VirtualWorld::of(&scene, 1);
-        let method = ExtendedAnalytic::new(&scene, &mesh, &world, 0, 1e-9, 0);
+        let method = ExtendedAnalytic::of(
+            Analytic::new(&scene, &mesh, 1e-9, 0),
+            &mesh,
+            &world,
+            0,
+        );
         let matrix = method.matrix(&|| ());
         let found = gathered(&Enclosure::of(&scene, &mesh), &matrix, 1e-14, 500);
         for k in 1..6 {

@@ -13,7 +13,7 @@ use radiosity::mesh::Mesh;
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solve::{Enclosure, GaussSeidel};
-use radiosity::trace::{Along, Limits, Look, TwoPass, Whitted};
+use radiosity::trace::{Along, Look, TwoPass, Whitted};
 use radiosity::virtual_world::VirtualWorld;
 use std::f64::consts::PI;
 
@@ -126,7 +126,7 @@ pub fn lost_light() -> Sweep {
     let lacks = |got: f64, k: f64| 100.0 * (1.0 - got / (straight + k * mirrored));
     let classical = |k: f64| {
         let scene = beside_a_mirror(k);
-        let whitted = Whitted::of(&Room::of(&scene), Limits::default());
+        let whitted = Whitted::of(&Room::of(&scene), Look::default());
         2.0 * whitted.along(&look()).radiance.x
     };
     Sweep {
@@ -191,9 +191,8 @@ pub fn hall(r: f64, depth: u32) -> Along {
     let scene = hall_of(r);
     let mesh = Mesh::whole(&scene);
     let glow = vec![Rgb::splat(PI); mesh.vertices.len()];
-    let limits = Limits { depth, weight: 0.0 };
-    let options = Look { limits, ..Look::default() };
-    TwoPass::showing(&Room::of(&scene), &mesh, &glow, options).along(&between())
+    let look = Look::following(depth, 0.0);
+    TwoPass::showing(&Room::of(&scene), &mesh, &glow, look).along(&between())
 }
 
 /// Row 73: what is missing of a hall of mirrors.

@@ -9,7 +9,7 @@ use radiosity::random::Stream;
 use radiosity::room::Room;
 use radiosity::scene::{Face, MaterialId, Scene};
 use radiosity::solution::{Goal, Solution, solve};
-use radiosity::trace::{Limits, Look, PathTracer, TwoPass, Whitted};
+use radiosity::trace::{Look, PathTracer, TwoPass, Whitted};
 use radiosity::work::Work;
 use std::f64::consts::PI;
 
@@ -36,7 +36,7 @@ fn a_lamp_in_tiles_is_one_lamp() {
     for room in &rooms {
         assert_eq!(room.lamps().lamps().all().len(), 1);
     }
-    let [a, b] = rooms.each_ref().map(|room| Whitted::of(room, Limits::default()));
+    let [a, b] = rooms.each_ref().map(|room| Whitted::of(room, Look::default()));
     for k in 0..100 {
         let x = dvec3((k % 10) as f64 / 5.0 - 0.9, 0.0, (k / 10) as f64 / 5.0 - 0.9);
         let [a, b] = [&a, &b].map(|picture| picture.along(&down_at(x)).radiance.x);
@@ -188,7 +188,7 @@ fn pass_1_converges_under_many_lamps() {
 fn pictures_of_many_lamps_are_right() {
     let crowd = Crowd::of(200);
     let room = Room::of(&crowd.scene);
-    let whitted = Whitted::of(&room, Limits::default());
+    let whitted = Whitted::of(&room, Look::default());
     let by_rays = |x: DVec3| PI / RHO * whitted.along(&down_at(x)).radiance.x;
     is_right(by_rays, &crowd, 400, 0.1);
 

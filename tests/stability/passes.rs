@@ -13,7 +13,7 @@ use radiosity::mesh::Mesh;
 use radiosity::random::Stream;
 use radiosity::room::Room;
 use radiosity::scene::Scene;
-use radiosity::trace::{Class, Light, Limits, Look, PathTracer, TwoPass, Whitted};
+use radiosity::trace::{Class, Light, Look, PathTracer, TwoPass, Whitted};
 use std::f64::consts::PI;
 
 const RHO: f64 = 0.5;
@@ -54,7 +54,7 @@ fn look_at(x: DVec3) -> Ray {
 fn rows_64_and_65_a_mirrored_lamp_lost_or_twice() {
     let (scene, x, straight, mirrored) = floor_lamp_and_mirror();
     let seen =
-        Whitted::of(&Room::of(&scene), Limits::default()).along(&look_at(x)).radiance;
+        Whitted::of(&Room::of(&scene), Look::default()).along(&look_at(x)).radiance;
     let right = RHO * (straight + mirrored) / PI;
     let lost = right - seen.x;
     assert!((lost - RHO * mirrored / PI).abs() < 1e-9, "{lost}");

@@ -16,7 +16,7 @@ use radiosity::random::Stream;
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solve::Enclosure;
-use radiosity::trace::{Cone, Gloss, LobeAs, Look, PathTracer, Strategy, TwoPass};
+use radiosity::trace::{Cone, LobeAs, Look, PathTracer, Strategy, TwoPass};
 use std::f64::consts::{PI, TAU};
 
 /// Row 69: no material reflects and transmits as much as it gets, or more: it is
@@ -129,8 +129,8 @@ fn row_70_the_noise_of_gloss_falls_with_the_rays() {
     let ray = Ray { origin: eye, direction: (dvec3(0.1, 0.0, 0.0) - eye).normalize() };
     let spread = |rays: usize| {
         let of = |seed: u64| {
-            let gloss = Gloss { lobe: LobeAs::Stack(4), rays };
-            let options = Look { gloss, seed, ..Look::default() };
+            let lobe = LobeAs::Stack(4);
+            let options = Look { lobe, gloss: rays, seed, ..Look::default() };
             TwoPass::showing(&Room::of(&scene), &mesh, &b, options)
                 .along(&ray)
                 .radiance

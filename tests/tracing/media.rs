@@ -13,7 +13,7 @@ use radiosity::room::Room;
 use radiosity::scene::{Face, Scene};
 use radiosity::sky::Sky;
 use radiosity::solve::Enclosure;
-use radiosity::trace::{Limits, Look, PathTracer, Strategy, TwoPass, Whitted};
+use radiosity::trace::{Look, PathTracer, Strategy, TwoPass, Whitted};
 use radiosity::visibility::Visibility;
 use radiosity::ways::{
     Branching, Event, Media, Meeting, Met, Solids, Specular, Ways, ways,
@@ -21,23 +21,19 @@ use radiosity::ways::{
 use std::f64::consts::PI;
 
 /// Nothing is cut but what is far beyond rounding.
-const FAR: Limits = Limits { depth: 60, weight: 1e-14 };
+const FAR: Look = Look::following(60, 1e-14);
 
 /// Samples of what is drawn by chance.
 const SAMPLES: usize = 2000;
 
 /// What a ray sees, by every tracer: what it is called, the radiance, its standard error.
 /// What is cut of the trees is added, as if radiance 1 were found there.
-fn seen(scene: &Scene, ray: Ray, limits: Limits) -> Vec<(&'static str, f64, f64)> {
+fn seen(scene: &Scene, ray: Ray, look: Look) -> Vec<(&'static str, f64, f64)> {
     let mesh = Mesh::whole(scene);
     let b = mesh.vertex_values(&Enclosure::of(scene, &mesh).emission);
-    let options = Look { limits, ..Look::default() };
     let trees = [
-        ("classical", Whitted::of(&Room::of(scene), limits).along(&ray)),
-        (
-            "two passes",
-            TwoPass::showing(&Room::of(scene), &mesh, &b, options).along(&ray),
-        ),
+        ("classical", Whitted::of(&Room::of(scene), look).along(&ray)),
+        ("two passes", TwoPass::showing(&Room::of(scene), &mesh, &b, look).along(&ray)),
     ];
     let trees = trees.map(|(name, found)| (name, found.radiance.x + found.cut.x, 1e-9));
     let tracer = PathTracer::of(&Room::of(scene));
@@ -79,8 +75,8 @@ fn mean(mut sample: impl FnMut(&mut Stream) -> f64) -> (f64, f64) {
 }
 
 /// All tracers see this much.
-fn all_see(what: &str, scene: &Scene, ray: Ray, limits: Limits, right: f64) {
-    let found = seen(scene, ray, limits).into_iter();
+fn all_see(what: &str, scene: &Scene, ray: Ray, look: Look, right: f64) {
+    let found = seen(scene, ray, look).into_iter();
     let found = found.map(|(by, l, error)| (format!("{what}, {by}"), l, error, right));
     by_chance(&found.collect::<Vec<_>>());
 }
@@ -246,8 +242,8 @@ fn no_tracer_makes_light_or_loses_it() {
         for _ in 0..4 {
             let origin = 2.5 * point().normalize();
             let direction = (1.2 * point() - origin).normalize();
-            let limits = Limits { depth: 30, weight: 1e-3 };
-            all_see(what, &scene, Ray { origin, direction }, limits, 1.0);
+            let look = Look::following(30, 1e-3);
+            all_see(what, &scene, Ray { origin, direction }, look, 1.0);
         }
     }
 }
@@ -270,14 +266,14 @@ fn a_ray_knows_where_it_begins() {
     );
     for (origin, n) in indices {
         for direction in [DVec3::Z, DVec3::NEG_Z, dvec3(0.5, -0.3, 0.2).normalize()] {
-            let limits = Limits { depth: 40, weight: 1e-4 };
-            let found = seen(&scene, Ray { origin, direction }, limits).into_iter();
+            let look = Look::following(40, 1e-4);
+            let found = seen(&scene, Ray { origin, direction }, look).into_iter();
             // What a tree has cut counts radiance 1 here, not n²: it is left out.
             let right = n * n;
             let drawn = found.skip(2).map(|(by, l, e)| (by, l, e * right, right));
             by_chance(&drawn.collect::<Vec<_>>());
-            let whitted = Whitted::of(&Room::of(&scene), limits)
-                .along(&Ray { origin, direction });
+            let whitted =
+                Whitted::of(&Room::of(&scene), look).along(&Ray { origin, direction });
             let all = whitted.radiance.x + right * whitted.cut.x;
             assert!((all - right).abs() < 1e-9, "{origin}: {all}, not {right}");
         }

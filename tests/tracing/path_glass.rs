@@ -9,7 +9,7 @@ use radiosity::material::{Coefficients, Shine};
 use radiosity::random::Stream;
 use radiosity::room::Room;
 use radiosity::scene::Scene;
-use radiosity::trace::{Limits, PathTracer, Whitted};
+use radiosity::trace::{Look, PathTracer, Whitted};
 use std::f64::consts::PI;
 
 /// A lamp behind panes, seen straight on: of N of them, with the reflections between all
@@ -36,8 +36,8 @@ fn stacks_of_panes_pass_what_stokes_says() {
         let error = (right * (1.0 - right) / 4e4).sqrt();
         all.push((n, got, error, right));
         // Rays that are followed to the lamp and no further have one pass, and lack that.
-        let limits = Limits { depth: n as u32, weight: 0.0 };
-        let once = Whitted::of(&Room::of(&scene), limits).along(&ray).radiance.x;
+        let look = Look::following(n as u32, 0.0);
+        let once = Whitted::of(&Room::of(&scene), look).along(&ray).radiance.x;
         let straight = pane_shares(1.0, 1.5).1.powi(n as i32);
         assert!((once - straight).abs() < 1e-12, "{n}: {once}, not {straight}");
         let lacks = 1.0 - once / got;

@@ -15,7 +15,7 @@ use radiosity::random::Stream;
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solve::Enclosure;
-use radiosity::trace::{Gloss, Limits, LobeAs, Look, PathTracer, TwoPass, Whitted};
+use radiosity::trace::{LobeAs, Look, PathTracer, TwoPass, Whitted};
 
 const PICTURES: &str = "tests/pictures";
 
@@ -65,7 +65,7 @@ fn the_second_pass_shows_what_paths_find() {
     let scene = still_life();
     let (mesh, b) = solved(&scene);
     let tracer = PathTracer::of(&Room::of(&scene));
-    let limits = Limits { depth: 40, weight: 1e-5 };
+    let look = Look::following(40, 1e-5);
     let mut all = Vec::new();
     for k in 0..24_u32 {
         let (u, v) = (f64::from(k % 6) / 5.0, f64::from(k / 6) / 3.0);
@@ -77,7 +77,7 @@ fn the_second_pass_shows_what_paths_find() {
             (0..6000).map(|_| tracer.radiance(ray, &mut random).y).collect();
         let passes: Vec<f64> = (0..100)
             .map(|seed| {
-                let options = Look { limits, seed, ..Look::default() };
+                let options = Look { seed, ..look };
                 TwoPass::showing(&Room::of(&scene), &mesh, &b, options)
                     .along(&ray)
                     .radiance
@@ -107,7 +107,7 @@ fn threads_change_nothing() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.unwrap().install(|| {
             let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Look::default());
-            let whitted = Whitted::of(&Room::of(&scene), Limits::default());
+            let whitted = Whitted::of(&Room::of(&scene), Look::default());
             let shot = shot(&scene, 24, 2);
             (two.picture(&shot, &|_, _, _| {}), whitted.picture(&shot, &|_, _, _| {}))
         })
@@ -138,13 +138,8 @@ fn a_still_life() {
     let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, Look::default());
     let shown = two.picture(&shot(&scene, 64, 3), &|_, _, _| {});
     assert_picture(PICTURES, "trace-two-pass", &shown.picture.display(0.4));
-    let one_cone = Gloss { lobe: LobeAs::OneCone(0.9), rays: 8 };
-    let two = TwoPass::showing(
-        &Room::of(&scene),
-        &mesh,
-        &b,
-        Look { gloss: one_cone, ..Look::default() },
-    );
+    let one_cone = Look { lobe: LobeAs::OneCone(0.9), ..Look::default() };
+    let two = TwoPass::showing(&Room::of(&scene), &mesh, &b, one_cone);
     let shown = two.picture(&shot(&scene, 64, 3), &|_, _, _| {});
     assert_picture(PICTURES, "trace-one-cone", &shown.picture.display(0.4));
 }
@@ -169,7 +164,7 @@ fn a_ball_of_glass() {
 #[test]
 fn classical_ray_tracing() {
     let scene = built_in("cornell-mirror").unwrap();
-    let whitted = Whitted::of(&Room::of(&scene), Limits::default());
+    let whitted = Whitted::of(&Room::of(&scene), Look::default());
     let shown = whitted.picture(&shot(&scene, 64, 3), &|_, _, _| {});
     let exposure = shown.picture.auto_exposure();
     assert_picture(PICTURES, "trace-classical", &shown.picture.display(exposure));

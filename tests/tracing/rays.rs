@@ -13,11 +13,11 @@ use radiosity::room::Room;
 use radiosity::scene::Scene;
 use radiosity::sky::Sky;
 use radiosity::solve::Enclosure;
-use radiosity::trace::{Along, Limits, Look, TwoPass, Whitted};
+use radiosity::trace::{Along, Look, TwoPass, Whitted};
 use std::f64::consts::PI;
 
 /// Nothing is cut but what is far beyond rounding.
-const FAR: Limits = Limits { depth: 60, weight: 1e-14 };
+const FAR: Look = Look::following(60, 1e-14);
 
 /// `B` of every corner of what is diffuse, from where it is.
 fn field(scene: &Scene, mesh: &Mesh, of: impl Fn(DVec3) -> Rgb) -> Vec<Rgb> {
@@ -35,11 +35,10 @@ fn field(scene: &Scene, mesh: &Mesh, of: impl Fn(DVec3) -> Rgb) -> Vec<Rgb> {
 }
 
 /// The second pass along a ray, of a scene that emits and reflects no diffuse light.
-fn along(scene: &Scene, limits: Limits, ray: &Ray) -> Along {
+fn along(scene: &Scene, look: Look, ray: &Ray) -> Along {
     let mesh = Mesh::whole(scene);
     let b = mesh.vertex_values(&Enclosure::of(scene, &mesh).emission);
-    TwoPass::showing(&Room::of(scene), &mesh, &b, Look { limits, ..Look::default() })
-        .along(ray)
+    TwoPass::showing(&Room::of(scene), &mesh, &b, look).along(ray)
 }
 
 fn towards(origin: DVec3, target: DVec3) -> Ray {
@@ -73,10 +72,8 @@ fn a_mirror_doubles_the_room() {
     let meshes = [&with_mirror, &doubled].map(|scene| Mesh::uniform(scene, 0.2));
     let fields =
         [field(&with_mirror, &meshes[0], light), field(&doubled, &meshes[1], light)];
-    let options = Look { limits: FAR, ..Look::default() };
-    let one =
-        TwoPass::showing(&Room::of(&with_mirror), &meshes[0], &fields[0], options);
-    let two = TwoPass::showing(&Room::of(&doubled), &meshes[1], &fields[1], options);
+    let one = TwoPass::showing(&Room::of(&with_mirror), &meshes[0], &fields[0], FAR);
+    let two = TwoPass::showing(&Room::of(&doubled), &meshes[1], &fields[1], FAR);
     let eye = dvec3(0.6, 0.35, 0.45);
     let mut through = 0;
     for direction in directions(2000) {
@@ -144,10 +141,10 @@ fn a_hall_of_mirrors_is_a_geometric_series() {
         let high = moved(&low.flipped(), |v| v + DVec3::Z);
         let scene = shiny([(low, shining), (high, shining)]);
         let ray = towards(dvec3(0.0, 0.0, 0.5), dvec3(0.2, 0.1, 1.0));
-        let limits = Limits { depth, weight: 0.0 };
+        let look = Look::following(depth, 0.0);
         let found = [
-            along(&scene, limits, &ray),
-            Whitted::of(&Room::of(&scene), limits).along(&ray),
+            along(&scene, look, &ray),
+            Whitted::of(&Room::of(&scene), look).along(&ray),
         ];
         for Along { radiance, rays, cut } in found {
             let right = case["expected"]["radiance_truncated"].as_f64().unwrap();
@@ -182,8 +179,8 @@ fn glass_neither_makes_light_nor_loses_it() {
             origin: -2.5 * DVec3::new(direction.z, direction.x, direction.y),
             direction,
         };
-        let limits = Limits { depth: 30, weight: 1e-4 };
-        let Along { radiance, cut, .. } = along(&scene, limits, &ray);
+        let look = Look::following(30, 1e-4);
+        let Along { radiance, cut, .. } = along(&scene, look, &ray);
         let sum = radiance.x + cut.x;
         assert!((sum - 1.0).abs() < 1e-9, "{direction}: {radiance} + {cut}");
         worst = worst.max(cut.x);
@@ -214,9 +211,9 @@ fn a_prism_turns_all_light() {
     let scene = shiny(prism.chain([(lamp, dull(PI, 0.0))]));
     // In through one short side, off the long one at 45°, out through the other.
     let ray = towards(dvec3(-1.0, 0.4, 0.0), dvec3(0.0, 0.4, 0.0));
-    let limits = Limits { depth: 3, weight: 0.0 };
+    let look = Look::following(3, 0.0);
     let pass = 1.0 - fresnel(1.0, 1.0 / 1.5).mean();
-    let got = along(&scene, limits, &ray).radiance.x;
+    let got = along(&scene, look, &ray).radiance.x;
     assert!((got - pass * pass).abs() < 1e-12, "{got} {}", pass * pass);
 }
 
@@ -241,13 +238,8 @@ fn a_slab_shifts_a_ray() {
         let ramp = |p: DVec3| Rgb::splat(20.0 + p.x);
         let mesh = Mesh::whole(&with_slab);
         let b = field(&with_slab, &mesh, ramp);
-        let limits = Limits { depth: 2, weight: 0.0 }; // in and out, no more
-        let two = TwoPass::showing(
-            &Room::of(&with_slab),
-            &mesh,
-            &b,
-            Look { limits, ..Look::default() },
-        );
+        let look = Look::following(2, 0.0); // in and out, no more
+        let two = TwoPass::showing(&Room::of(&with_slab), &mesh, &b, look);
         let direction = dvec3(angle.sin(), 0.0, -angle.cos());
         let ray = Ray { origin: dvec3(-1.0, 0.0, 1.0), direction };
         let passed = (1.0 - fresnel(angle.cos(), 1.0 / n).mean()).powi(2);
@@ -290,7 +282,7 @@ fn panes_add_up() {
     // In a room that glows, a stack of panes is not to be seen.
     let scene = shiny(glow().chain([0.0, 0.5, 1.0].map(|z| (sheet(z), pane()))));
     for direction in directions(50) {
-        let found = along(&scene, Limits::default(), &Ray { origin: eye, direction });
+        let found = along(&scene, Look::default(), &Ray { origin: eye, direction });
         assert!((found.radiance.x + found.cut.x - 1.0).abs() < 1e-12);
     }
 }
@@ -342,7 +334,7 @@ fn gloss_in_a_glow_shows_its_albedo() {
         let lobe = radiosity::material::Lobe::Phong { exponent };
         let right = 0.7 * lobe.albedo(0.5_f64.sqrt());
         let mean = (0..400).map(|seed| {
-            let options = Look { seed, limits: FAR, ..Look::default() };
+            let options = Look { seed, ..FAR };
             TwoPass::showing(&Room::of(&scene), &mesh, &b, options)
                 .along(&ray)
                 .radiance

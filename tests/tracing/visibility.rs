@@ -9,7 +9,7 @@ use radiosity::random::Stream;
 use radiosity::raster::View;
 use radiosity::room::Room;
 use radiosity::scene::Camera;
-use radiosity::trace::{Limits, Whitted};
+use radiosity::trace::{Look, Whitted};
 use radiosity::visibility::{Hit, Visibility};
 
 /// Scenes here have a size of about 20, so positions are rounded by some 1e-14.
@@ -213,7 +213,7 @@ fn a_mirrored_wall_has_no_black_pixel() {
     let shot = Shot { camera, width: 33, height: 33, samples: 1 };
     let view = shot.view();
     let shown =
-        Whitted::of(&Room::of(&scene), Limits::default()).picture(&shot, &|_, _, _| ());
+        Whitted::of(&Room::of(&scene), Look::default()).picture(&shot, &|_, _, _| ());
     let mirror = Visibility::new(scene.surfaces[..1].iter().map(|s| &s.polygon));
     let mut seen = 0;
     for (pixel, light) in shown.picture.pixels.iter().enumerate() {

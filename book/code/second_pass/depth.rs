@@ -5,7 +5,7 @@ use radiosity::glam::{DVec3, dvec3};
 use radiosity::material::{Coefficients, Material, Shine};
 use radiosity::room::Room;
 use radiosity::scene::{Face, MaterialId, Scene};
-use radiosity::trace::{Limits, Whitted};
+use radiosity::trace::{Look, Whitted};
 use std::f64::consts::PI;
 use std::fmt::Write;
 
@@ -30,7 +30,7 @@ pub fn seen(reflectance: f64, depth: u32) -> f64 {
     let scene = Scene::assemble("hall", vec![mirror], faces, None).expect("sound").0;
     let direction = dvec3(0.3, 0.1, 1.0).normalize();
     let ray = Ray { origin: dvec3(0.0, 0.0, 0.5), direction };
-    Whitted::of(&Room::of(&scene), Limits { depth, weight: 0.0 }).along(&ray).radiance.x
+    Whitted::of(&Room::of(&scene), Look::following(depth, 0.0)).along(&ray).radiance.x
 }
 
 /// The table of the chapter.

@@ -7,7 +7,7 @@ use radiosity::film::{RgbImage, Shot};
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
 use radiosity::solution::{Goal, Solution, solve_from};
-use radiosity::trace::{Limits, Look, Shown, TwoPass, Whitted};
+use radiosity::trace::{Look, Shown, TwoPass, Whitted};
 use radiosity::work::Work;
 use std::sync::OnceLock;
 
@@ -67,7 +67,7 @@ fn exposure() -> f64 {
 /// Classical ray tracing: mirrors and lamps.
 pub fn classical() -> RgbImage {
     let lit = cornell();
-    let whitted = Whitted::of(&Room::of(&lit.scene), Limits::default());
+    let whitted = Whitted::of(&Room::of(&lit.scene), Look::default());
     let shown = whitted.picture(&lit.shot(SIZE), &|_, _, _| {});
     shown.picture.display(exposure())
 }
@@ -112,14 +112,14 @@ pub fn ball_picture() -> RgbImage {
 /// Its caption.
 pub fn ball_caption() -> String {
     let shown = ball().two_passes(SIZE, Look::default());
-    let limits = Limits::default();
+    let look = Look::default();
     format!(
         "`glass-ball`: {:.1} rays for each sample of the picture. Branches \
          end after {} bounces or below {} of a pixel: {:.2} % of the light a picture could \
          show was cut.",
         shown.rays as f64 / f64::from(9 * SIZE * SIZE),
-        limits.depth,
-        limits.weight,
+        look.depth,
+        look.weight,
         100.0 * shown.cut.element_sum() / 3.0
     )
 }

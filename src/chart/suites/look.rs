@@ -12,7 +12,7 @@ use crate::raster::View;
 use crate::room::Room;
 use crate::scene::{Scene, built_in};
 use crate::solution::{Goal, Solution, solve_from};
-use crate::trace::{Limits, Look, PathTracer, Strategy, TwoPass, Whitted};
+use crate::trace::{Look, PathTracer, Strategy, TwoPass, Whitted};
 use crate::ways::{Branching, Met, Specular};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -108,8 +108,8 @@ impl Onlooker {
     /// Classical ray tracing, cut after so many bounces.
     pub fn ray_tracing(&self, depths: &[f64]) -> Method<'_, Picture> {
         Method::new("ray tracing", depths, |depth, _| {
-            let limits = Limits { depth: depth as u32, ..Limits::default() };
-            let tracer = Whitted::of(&Room::of(&self.scene), limits);
+            let look = Look { depth: depth as u32, ..Look::default() };
+            let tracer = Whitted::of(&Room::of(&self.scene), look);
             let mut work = WorkDone::default();
             let picture = self.each(|ray, _| {
                 let along = tracer.along(&ray);

@@ -13,7 +13,7 @@ use crate::random::Stream;
 use crate::raster::Seen;
 use crate::room::Room;
 use crate::scene::built_in;
-use crate::trace::{Cone, Gloss, Limits, LobeAs, Look, Strategy, TwoPass};
+use crate::trace::{Cone, LobeAs, Look, Strategy, TwoPass};
 use glam::{DVec3, dvec2, dvec3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -101,10 +101,8 @@ pub fn gloss(size: u32, rays: usize, bench: &Bench) -> Vec<Trial> {
     let camera = scene.camera;
     let shot = Shot { camera, width: size, height: size, samples: 3 };
     let shown = |lobe, rays, seed| {
-        let gloss = Gloss { lobe, rays };
         // None may be cut because it is one of many.
-        let limits = Limits { weight: 0.0, ..Limits::default() };
-        let options = Look { gloss, seed, limits, ..Look::default() };
+        let options = Look { lobe, gloss: rays, seed, weight: 0.0, ..Look::default() };
         let two = TwoPass::showing(&Room::of(&scene), mesh, light, options);
         let shown = two.picture(&shot, &|_, _, _| {});
         (shown.picture, WorkDone { rays: shown.rays, ..WorkDone::default() })

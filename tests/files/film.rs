@@ -7,8 +7,8 @@ use radiosity::film::{
     hemicube_cross, linear_from_srgb, side_by_side, srgb_from_linear, write_atomically,
 };
 use radiosity::form_factor::hemicube::{CubeFace, Hemicube};
-use radiosity::geometry::{Frame, Polygon, Rgb};
-use radiosity::mesh::{Mesh, wachspress};
+use radiosity::geometry::Rgb;
+use radiosity::mesh::Mesh;
 use radiosity::raster::{Seen, View};
 use radiosity::scene::{Scene, built_in};
 use serde_json::Value;

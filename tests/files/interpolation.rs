@@ -1,8 +1,13 @@
 //! Values between the corners of an element: exact where they can be, and numbers always.
 
 use glam::{DVec3, dvec3};
-use radiosity::geometry::Polygon;
+use radiosity::geometry::{Frame, Polygon};
 use radiosity::mesh::wachspress;
+
+/// A linear field.
+fn field(at: DVec3) -> DVec3 {
+    dvec3(0.05, 0.1, 0.4) + dvec3(1.0, 0.2, -0.4) * at.x + dvec3(0.1, 1.0, 0.5) * at.y
+}
 
 /// Wachspress weights are positive, sum to 1, and reproduce linear fields and corners.
 #[test]
@@ -20,7 +25,7 @@ fn interpolation_is_exact_for_linear_fields() {
             {
                 let weights = wachspress(&polygon, p);
                 let values = outline.iter().zip(&weights).map(|(&v, &w)| w * field(v));
-                let got: Rgb = values.sum();
+                let got: DVec3 = values.sum();
                 assert!(got.distance(field(p)) < 1e-14, "{got}, not {}", field(p));
                 assert!(weights.iter().all(|w| (0.0..=1.0 + 1e-15).contains(w)));
             }

@@ -16,7 +16,7 @@
 //! of a mesh changes sign from place to place and dies out when it is reflected: the error
 //! is near `‖r‖`, and not `‖r‖/(1 − ρ_max)`, which is only the worst that can be.
 //!
-//! Light that comes straight from emitters is summed exactly ([`Direct`](crate::room::Direct)),
+//! Light that comes straight from emitters is summed exactly ([`Direct`]),
 //! so that rays carry reflected light only, which varies little.
 //!
 //! What is reported is relative to the reflected light. Relative to `‖B‖` the lamp, which

@@ -3,10 +3,13 @@
 use glam::{DVec3, dvec3};
 use radiosity::geometry::{Frame, Polygon};
 use radiosity::mesh::wachspress;
+use std::f64::consts::PI;
 
 /// A linear field.
 fn field(at: DVec3) -> DVec3 {
-    dvec3(0.05, 0.1, 0.4) + dvec3(1.0, 0.2, -0.4) * at.x + dvec3(0.1, 1.0, 0.5) * at.y
+    let (offset, x, y) =
+        (dvec3(0.05, 0.1, 0.4), dvec3(1.0, 0.2, -0.4), dvec3(0.1, 1.0, 0.5));
+    PI * (offset + x * at.x + y * at.y)
 }
 
 /// Wachspress weights are positive, sum to 1, and reproduce linear fields and corners.

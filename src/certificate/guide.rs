@@ -8,7 +8,11 @@ use std::f64::consts::PI;
 const CELLS: usize = 16;
 
 /// At the most this share of all rays goes where light was found; the rest goes evenly.
-const GUIDED: f64 = 0.75;
+const MOST: f64 = 0.75;
+
+/// Light of few directions is noisier than what comes evenly: so many times as much for its
+/// power.
+const BOOST: f64 = 4.0;
 
 /// How often the cells of the hemisphere over a stratum are drawn.
 ///
@@ -26,22 +30,36 @@ pub(super) struct Guide {
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     bright: [f64; CELLS * CELLS],
-    all: f64,
+    even: f64,
 }
 
 impl Default for Found {
     fn default() -> Found {
-        Found { bright: [0.0; CELLS * CELLS], all: 0.0 }
+        Found { bright: [0.0; CELLS * CELLS], even: 0.0 }
     }
 }
 
 impl Found {
-    /// Adds what a ray found: of the `light` the part that is `bright` comes from a lamp or
-    /// the sky.
-    pub fn add(&mut self, at: DVec2, bright: f64, light: f64) {
+    /// Adds what a ray found: `bright` light of a lamp or the sky, which comes from few
+    /// directions, and light that comes from all.
+    pub fn add(&mut self, at: DVec2, bright: f64, even: f64) {
         let [row, column] = cell(at);
         self.bright[row * CELLS + column] += bright;
-        self.all += light;
+        self.even += even;
+    }
+
+    /// Half of what is bright in its cell, the rest in those about it.
+    fn spread(&self) -> Vec<f64> {
+        let mut spread: Vec<f64> = self.bright.iter().map(|b| 0.5 * b).collect();
+        for (k, bright) in self.bright.iter().enumerate().filter(|(_, b)| **b > 0.0) {
+            let (row, column) = (k / CELLS, k % CELLS);
+            for r in row.saturating_sub(1)..=(row + 1).min(CELLS - 1) {
+                for c in column.saturating_sub(1)..=(column + 1).min(CELLS - 1) {
+                    spread[r * CELLS + c] += bright / 18.0;
+                }
+            }
+        }
+        spread
     }
 }
 
@@ -51,21 +69,11 @@ fn cell(at: DVec2) -> [usize; 2] {
 
 impl Guide {
     // ANCHOR: guide
-    /// Follows what was found: half of it in the cell, the rest about it.
+    /// Follows what was found.
     pub fn by(found: &Found) -> Guide {
-        let sum: f64 = found.bright.iter().sum();
-        let guided = if sum > 0.0 { GUIDED * sum / found.all } else { 0.0 };
-        let near = |row: usize, column: usize| -> f64 {
-            let mut sum = 0.0;
-            for r in row.saturating_sub(1)..=(row + 1).min(CELLS - 1) {
-                for c in column.saturating_sub(1)..=(column + 1).min(CELLS - 1) {
-                    sum += found.bright[r * CELLS + c];
-                }
-            }
-            sum
-        };
-        let spread: Vec<f64> =
-            (0..CELLS * CELLS).map(|k| near(k / CELLS, k % CELLS)).collect();
+        let few = BOOST * found.bright.iter().sum::<f64>();
+        let guided = if few > 0.0 { (few / (few + found.even)).min(MOST) } else { 0.0 };
+        let spread = found.spread();
         let all: f64 = spread.iter().sum();
         let even = (1.0 - guided) / (CELLS * CELLS) as f64;
         let weight = |&s: &f64| even + if all > 0.0 { guided * s / all } else { 0.0 };

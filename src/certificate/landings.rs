@@ -27,6 +27,9 @@ pub(super) const MISSED: f64 = 3.0;
 const FLIGHT: u64 = 4096;
 const MOST_FLIGHTS: u64 = 256;
 
+/// So many rays at least, to tell where light lands.
+const ENOUGH: f64 = 30_000.0;
+
 /// Light is followed so often after it has been scattered.
 const BOUNCES: u32 = 2;
 
@@ -36,10 +39,12 @@ const KEPT: usize = 1 << 15;
 /// Where light landed.
 #[derive(Default)]
 pub(super) struct Landings {
-    /// For each element of the mesh the places.
-    pub places: Vec<Vec<DVec3>>,
+    /// For each element of the mesh those on it.
+    pub on: Vec<Vec<Landed>>,
     /// How many of them there are.
     pub kept: usize,
+    /// The power that each stands for, in W: all channels together.
+    pub power: f64,
     /// How many rays were sent.
     pub sent: f64,
     /// The share of the light that was sent which reflecting fronts sent on when it first
@@ -47,10 +52,19 @@ pub(super) struct Landings {
     pub reflected: f64,
 }
 
-/// One place where light landed.
+/// A place where light landed.
+#[derive(Clone, Copy)]
+pub(super) struct Landed {
+    pub at: DVec3,
+    /// Against the ray, of unit length, where it is one of the few directions of its kind:
+    /// by mirrors, through glass, from the sky.
+    pub from: Option<DVec3>,
+}
+
+/// The same, as it is found.
 struct Landing {
     surface: u32,
-    at: DVec3,
+    landed: Landed,
     /// How much of it is sent on, if light has come here first.
     first: f64,
     reflects: bool,
@@ -75,12 +89,13 @@ impl Source<'_> {
         let (mut powers, of_sky) = self.lights.powers(radius);
         powers.push(of_sky);
         let mut all = Landings {
-            places: vec![Vec::new(); field.mesh.elements.len()],
+            on: vec![Vec::new(); field.mesh.elements.len()],
             ..Landings::default()
         };
         if powers.iter().all(|&p| p == 0.0) {
             return all;
         }
+        let emitted: f64 = powers.iter().sum();
         let shares = Shares::of(powers);
         let elements = field.mesh.elements.iter();
         let pieces = elements.map(|e| (field.mesh.surface_of(e), &e.polygon));
@@ -98,17 +113,19 @@ impl Source<'_> {
                 all.reflected += landing.first;
                 let count = &mut kept[usize::from(landing.reflects)];
                 let outline = |k: u32| &field.mesh.elements[k as usize].polygon;
-                let piece = locator.piece(landing.surface, landing.at, outline);
+                let piece = locator.piece(landing.surface, landing.landed.at, outline);
                 if let Some(piece) = piece.filter(|_| *count < KEPT) {
-                    all.places[piece as usize].push(landing.at);
+                    all.on[piece as usize].push(landing.landed);
                     *count += 1;
                 }
             }
-            if MISSED <= unseen * all.reflected && all.sent * unseen >= 64.0 {
+            let enough = all.sent >= ENOUGH && MISSED <= unseen * all.reflected;
+            if enough {
                 break;
             }
         }
         all.kept = kept[0] + kept[1];
+        all.power = emitted / all.sent;
         all.reflected /= all.sent;
         all
     }
@@ -122,6 +139,7 @@ impl Source<'_> {
     ) -> Vec<Landing> {
         let mut landed = Vec::new();
         let (k, rest) = shares.pick(random.next());
+        let of_sky = k == self.lights.lamps();
         let mut start = self.start(k, rest, (middle, radius), random);
         for bounce in 0..=BOUNCES {
             let Some((ray, leaving)) = start.take() else { break };
@@ -140,7 +158,12 @@ impl Source<'_> {
                 let sends_on = if self.reflects { scattered } else { 1.0 };
                 let first = if bounce == 0 { counts * sends_on } else { 0.0 };
                 let reflects = scattered > 0.0;
-                landed.push(Landing { surface, at: point, first, reflects });
+                let chain = arrival.chain;
+                let is_rare =
+                    bounce == 0 && (of_sky || chain.bounces > 0 || chain.bent);
+                let from = is_rare.then_some(-arrival.direction);
+                let there = Landed { at: point, from };
+                landed.push(Landing { surface, landed: there, first, reflects });
                 last = reflects.then_some((surface, point));
             });
             start = last.and_then(|(surface, x)| self.scattered(surface, x, random));

@@ -218,8 +218,10 @@ pub fn audit(
     let pieces = pieces.map(|p| (surface(p.element), &p.polygon));
     let locator = Locator::of(scene, pieces);
     let (rays, lights, strata) = (&rays, &lights, &strata);
-    let points =
-        Gathering { scene, rays, lights, strata, field, locator, sampling }.all();
+    let power = landings.power;
+    let gathering =
+        Gathering { scene, rays, lights, strata, field, locator, sampling, power };
+    let points = gathering.all();
     let exchange =
         StrataExchange::of(strata, |h| strata.material(h, scene, mesh), &points);
     let means = exchange.errors(&points, sampling.seed);

@@ -1,6 +1,6 @@
 //! Pieces of about the same worth, so that points fall on all of a scene and where light lands.
 
-use super::landings::Landings;
+use super::landings::{Landed, Landings};
 use crate::geometry::Polygon;
 use crate::material::Material;
 use crate::mesh::Mesh;
@@ -41,6 +41,15 @@ pub(super) struct Strata {
     pub area: Vec<f64>,
     /// Per stratum: how many points it gets.
     pub points: Vec<usize>,
+    /// Per stratum: the few directions from which light was seen to come.
+    pub from: Vec<Vec<DVec3>>,
+}
+
+/// A part of an element, what it is worth, and the directions of [`Landed::from`].
+struct Part {
+    polygon: Polygon,
+    worth: f64,
+    from: Vec<DVec3>,
 }
 
 /// What a part of an element is worth, in strata.
@@ -71,8 +80,8 @@ impl Worth {
         &self,
         polygon: Polygon,
         share: f64,
-        landings: &[DVec3],
-        into: &mut Vec<(Polygon, f64)>,
+        landings: &[Landed],
+        into: &mut Vec<Part>,
     ) {
         let worth = self.of_area * polygon.area()
             + self.of_element * share
@@ -82,11 +91,12 @@ impl Worth {
             if worth > MOST && !deep { polygon.halves().collect() } else { vec![] };
         // A sliver that cannot be cut stays whole.
         let [first, second] = &halves[..] else {
-            into.push((polygon, worth));
+            let from = landings.iter().filter_map(|landed| landed.from).collect();
+            into.push(Part { polygon, worth, from });
             return;
         };
-        let (here, there): (Vec<DVec3>, Vec<DVec3>) =
-            landings.iter().partition(|&&at| first.contains(at, 0.0));
+        let (here, there): (Vec<Landed>, Vec<Landed>) =
+            landings.iter().partition(|landed| first.contains(landed.at, 0.0));
         for (half, landings) in [(first, here), (second, there)] {
             let share = share * half.area() / polygon.area();
             self.divide(half.clone(), share, &landings, into);
@@ -101,21 +111,27 @@ impl Strata {
         let (mut pieces, mut of_piece) = (Vec::new(), Vec::new());
         let mut members: Vec<Range<usize>> = Vec::new();
         let mut worths: Vec<f64> = Vec::new();
+        let mut from: Vec<Vec<DVec3>> = Vec::new();
         let mut before = None;
         for (k, element) in (0u32..).zip(&mesh.elements) {
             let here = Some(mesh.patch_of(element).surface);
             let mut parts = Vec::new();
-            let places = landings.places.get(k as usize).map_or(&[][..], |p| &p[..]);
+            let places = landings.on.get(k as usize).map_or(&[][..], |p| &p[..]);
             worth.divide(element.polygon.clone(), 1.0, places, &mut parts);
-            for (polygon, worth) in parts {
+            for Part { polygon, worth, from: directions } in parts {
                 match (members.last_mut(), worths.last_mut()) {
                     (Some(last), Some(sum))
                         if before == here && *sum + worth <= MOST =>
                     {
                         last.end += 1;
                         *sum += worth;
+                        let of_stratum = from.last_mut();
+                        of_stratum.into_iter().for_each(|f: &mut Vec<_>| {
+                            f.extend_from_slice(&directions);
+                        });
                     }
                     _ => {
+                        from.push(directions);
                         members.push(pieces.len()..pieces.len() + 1);
                         worths.push(worth);
                     }
@@ -136,6 +152,7 @@ impl Strata {
             pieces,
             of_piece,
             members,
+            from,
         }
     }
 

@@ -69,6 +69,8 @@ pub struct Arrival {
     pub weight: Rgb,
     /// On which way.
     pub chain: Chain,
+    /// In which direction it came here, of unit length.
+    pub direction: DVec3,
 }
 
 /// What is done where a ray divides.
@@ -179,7 +181,8 @@ impl<'s> Specular<'s> {
     /// The next surface on the way, if the ray is to go on from there.
     fn meet(&self, leg: &Leg, visit: &mut dyn FnMut(&Arrival)) -> Option<Hit> {
         let mut arrive = |met| {
-            visit(&Arrival { met, weight: leg.weight, chain: leg.chain });
+            let Leg { weight, chain, .. } = *leg;
+            visit(&Arrival { met, weight, chain, direction: leg.ray.direction });
         };
         let Some(hit) = self.visibility.closest(&leg.ray, leg.leaving) else {
             arrive(Met::Sky(leg.ray.direction));

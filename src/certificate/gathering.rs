@@ -125,40 +125,49 @@ impl Gathering<'_> {
         let seed = self.sampling.seed;
         let places: Vec<[f64; 2]> =
             Stream::named(seed, &[h as u64]).points(self.strata.points[h]).collect();
-        // ANCHOR: guided
-        // Rays that nobody counts look where light is; those that count look there more often.
-        let guide = |behind: bool| {
-            let mut random = Stream::named(seed, &[h as u64, u64::from(behind)]);
-            let rays = self.sampling.rays.div_ceil(places.len());
-            let mut found = Found::default();
-            for &place in &places {
-                let (_, x) = self.strata.point_at(h, place);
-                let place = self.place(h, x, behind);
-                let even = Guide::by(&Found::default());
-                self.by_direction(&place, (&even, rays), &mut random, &mut |at, on| {
+        let sides = 1 + usize::from(self.material(h).translucence() != Rgb::ZERO);
+        let guide = |&behind: &bool| self.guide(h, &places, behind);
+        let guides: Vec<Guide> = [false, true][..sides].iter().map(guide).collect();
+        let point = |(k, place)| self.point(h, k, place, &guides);
+        places.into_iter().enumerate().map(point).collect()
+    }
+
+    // ANCHOR: guided
+    /// Where light comes from all over a stratum: rays that nobody counts look in all
+    /// directions, then once more where they and what landed there found light.
+    fn guide(&self, h: usize, places: &[[f64; 2]], behind: bool) -> Guide {
+        let even = Guide::by(&Found::default());
+        if !self.rays.shines() && self.lights.sky().is_none() {
+            return even; // all lamps are seen straight
+        }
+        let mut landed = Found::default();
+        let frame = self.place(h, DVec3::ZERO, behind).frame;
+        // So many points have each seen the light of all that landed.
+        let each = self.power * places.len() as f64 / self.strata.area[h];
+        for &from in &self.strata.from[h] {
+            let local = frame.local_from_world(from);
+            if local.z > 0.0 {
+                landed.add(square_of(local), each, 0.0);
+            }
+        }
+        let mut random = Stream::named(self.sampling.seed, &[h as u64, 0, u64::MAX]);
+        let rays = self.sampling.rays.div_ceil(places.len());
+        let mut look = |guide: &Guide| {
+            let mut found = landed.clone();
+            for &place in places {
+                let place = self.place(h, self.strata.point_at(h, place).1, behind);
+                self.by_direction(&place, (guide, rays), &mut random, &mut |at, on| {
                     let [bright, even] =
                         [on.bright, on.reflected].map(Rgb::element_sum);
                     found.add(at, bright, even);
                 });
             }
-            // So many points have each seen the light of all that landed.
-            let each = self.power * places.len() as f64 / self.strata.area[h];
-            let frame = self.place(h, DVec3::ZERO, behind).frame;
-            for &from in &self.strata.from[h] {
-                let local = frame.local_from_world(from);
-                if local.z > 0.0 {
-                    found.add(square_of(local), each, 0.0);
-                }
-            }
             Guide::by(&found)
         };
-        // ANCHOR_END: guided
-        let sides = 1 + usize::from(self.material(h).translucence() != Rgb::ZERO);
-        let guides: Vec<Guide> =
-            [false, true][..sides].iter().map(|&b| guide(b)).collect();
-        let point = |(k, place)| self.point(h, k, place, &guides);
-        places.into_iter().enumerate().map(point).collect()
+        let first = look(&even);
+        look(&first)
     }
+    // ANCHOR_END: guided
 
     fn material(&self, h: usize) -> &Material {
         self.strata.material(h, self.scene, self.field.mesh)

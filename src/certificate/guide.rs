@@ -5,14 +5,18 @@ use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::PI;
 
 /// The hemisphere in cells along both edges of the square that is mapped to it.
-const CELLS: usize = 16;
+const CELLS: usize = 64;
 
 /// At the most this share of all rays goes where light was found; the rest goes evenly.
 const MOST: f64 = 0.75;
 
 /// Light of few directions is noisier than what comes evenly: so many times as much for its
 /// power.
-const BOOST: f64 = 4.0;
+const BOOST: f64 = 6.0;
+
+/// Light that was found in a cell is looked for within these many cells of it, in equal
+/// shares: closely, for a lamp; widely, for what few rays have found of a window.
+const WITHIN: [usize; 4] = [0, 1, 4, 4];
 
 /// How often the cells of the hemisphere over a stratum are drawn.
 ///
@@ -29,13 +33,13 @@ pub(super) struct Guide {
 /// What the first rays found.
 #[derive(Clone, Debug)]
 pub(super) struct Found {
-    bright: [f64; CELLS * CELLS],
+    bright: Vec<f64>,
     even: f64,
 }
 
 impl Default for Found {
     fn default() -> Found {
-        Found { bright: [0.0; CELLS * CELLS], even: 0.0 }
+        Found { bright: vec![0.0; CELLS * CELLS], even: 0.0 }
     }
 }
 
@@ -48,14 +52,19 @@ impl Found {
         self.even += even;
     }
 
-    /// Half of what is bright in its cell, the rest in those about it.
+    /// What is bright in a cell, spread over those about it.
     fn spread(&self) -> Vec<f64> {
-        let mut spread: Vec<f64> = self.bright.iter().map(|b| 0.5 * b).collect();
+        let mut spread = vec![0.0; CELLS * CELLS];
         for (k, bright) in self.bright.iter().enumerate().filter(|(_, b)| **b > 0.0) {
-            let (row, column) = (k / CELLS, k % CELLS);
-            for r in row.saturating_sub(1)..=(row + 1).min(CELLS - 1) {
-                for c in column.saturating_sub(1)..=(column + 1).min(CELLS - 1) {
-                    spread[r * CELLS + c] += bright / 18.0;
+            for within in WITHIN {
+                let [rows, columns] = [k / CELLS, k % CELLS]
+                    .map(|at| at.saturating_sub(within)..=(at + within).min(CELLS - 1));
+                let cells = (rows.clone().count() * columns.clone().count()) as f64;
+                let each = bright / (cells * WITHIN.len() as f64);
+                for row in rows {
+                    spread[row * CELLS..][columns.clone()]
+                        .iter_mut()
+                        .for_each(|cell| *cell += each);
                 }
             }
         }

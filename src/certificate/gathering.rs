@@ -1,7 +1,8 @@
 //! Gathers light at points: the residual of a field, by rays and nothing else.
 
-use super::guide::{Found, Guide, square_of};
+use super::guide::{Guide, square_of};
 use super::lights::{FromHere, Lights};
+use super::outlook::{Outlook, allotted};
 use super::strata::Strata;
 use super::{Judged, Sampling};
 use crate::geometry::{Frame, Ray, Rgb};
@@ -11,7 +12,7 @@ use crate::radiometry::cosine_direction;
 use crate::random::Stream;
 use crate::scene::Scene;
 use crate::ways::{Arrival, Met, Specular};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -103,77 +104,53 @@ pub(super) struct Gathering<'a> {
 }
 
 /// A place on a side of a surface, where light is gathered.
-struct GatherPlace {
+pub(super) struct GatherPlace {
     x: DVec3,
     surface: u32,
-    frame: Frame,
+    pub frame: Frame,
 }
 
-/// Of the rays that are drawn by direction so many go towards lights.
-fn towards_lights(rays: usize) -> usize {
-    (rays / 2).max(8)
+impl GatherPlace {
+    /// A ray from here, and the surface that it leaves.
+    fn ray(&self, direction: DVec3) -> (Ray, Option<u32>) {
+        (Ray { origin: self.x, direction }, Some(self.surface))
+    }
+}
+
+/// How rays are drawn, and how many.
+#[derive(Clone, Copy)]
+pub(super) struct Aim<'g> {
+    pub guide: &'g Guide,
+    pub rays: usize,
+}
+
+impl Aim<'_> {
+    /// So many go towards lights besides.
+    fn towards_lights(&self) -> usize {
+        (self.rays / 2).max(8)
+    }
 }
 
 impl Gathering<'_> {
     /// The points of all strata, in order.
     pub fn all(&self) -> Vec<Point> {
         let strata = (0..self.strata.len()).into_par_iter();
-        strata.flat_map_iter(|h| self.points(h)).collect()
+        let seen: Vec<Outlook> = strata.map(|h| self.outlook(h)).collect();
+        let rays = allotted(&seen, self.sampling.rays);
+        let seen = seen.par_iter().zip(rays).enumerate();
+        let points = seen.map(|(h, (seen, rays))| {
+            let place = |(k, &place)| self.point([h, k], place, seen, rays);
+            seen.places.iter().enumerate().map(place).collect::<Vec<Point>>()
+        });
+        points.flatten_iter().collect()
     }
 
-    fn points(&self, h: usize) -> Vec<Point> {
-        let seed = self.sampling.seed;
-        let places: Vec<[f64; 2]> =
-            Stream::named(seed, &[h as u64]).points(self.strata.points[h]).collect();
-        let sides = 1 + usize::from(self.material(h).translucence() != Rgb::ZERO);
-        let guide = |&behind: &bool| self.guide(h, &places, behind);
-        let guides: Vec<Guide> = [false, true][..sides].iter().map(guide).collect();
-        let point = |(k, place)| self.point(h, k, place, &guides);
-        places.into_iter().enumerate().map(point).collect()
-    }
-
-    // ANCHOR: guided
-    /// Where light comes from all over a stratum: rays that nobody counts look in all
-    /// directions, then once more where they and what landed there found light.
-    fn guide(&self, h: usize, places: &[[f64; 2]], behind: bool) -> Guide {
-        let even = Guide::by(&Found::default());
-        if !self.rays.shines() && self.lights.sky().is_none() {
-            return even; // all lamps are seen straight
-        }
-        let mut landed = Found::default();
-        let frame = self.place(h, DVec3::ZERO, behind).frame;
-        // So many points have each seen the light of all that landed.
-        let each = self.power * places.len() as f64 / self.strata.area[h];
-        for &from in &self.strata.from[h] {
-            let local = frame.local_from_world(from);
-            if local.z > 0.0 {
-                landed.add(square_of(local), each, 0.0);
-            }
-        }
-        let mut random = Stream::named(self.sampling.seed, &[h as u64, 0, u64::MAX]);
-        let rays = self.sampling.rays.div_ceil(places.len());
-        let mut look = |guide: &Guide| {
-            let mut found = landed.clone();
-            for &place in places {
-                let place = self.place(h, self.strata.point_at(h, place).1, behind);
-                self.by_direction(&place, (guide, rays), &mut random, &mut |at, on| {
-                    let [bright, even] =
-                        [on.bright, on.reflected].map(Rgb::element_sum);
-                    found.add(at, bright, even);
-                });
-            }
-            Guide::by(&found)
-        };
-        let first = look(&even);
-        look(&first)
-    }
-    // ANCHOR_END: guided
-
-    fn material(&self, h: usize) -> &Material {
+    pub fn material(&self, h: usize) -> &Material {
         self.strata.material(h, self.scene, self.field.mesh)
     }
 
-    fn place(&self, h: usize, x: DVec3, behind: bool) -> GatherPlace {
+    /// The place `x` of a stratum, on its front or behind.
+    pub fn place(&self, h: usize, x: DVec3, behind: bool) -> GatherPlace {
         let mesh = self.field.mesh;
         let piece = &self.strata.pieces[self.strata.members[h].start];
         let surface = mesh.surface_of(&mesh.elements[piece.element as usize]);
@@ -186,18 +163,29 @@ impl Gathering<'_> {
         GatherPlace { x, surface, frame }
     }
 
-    fn point(&self, h: usize, k: usize, place: [f64; 2], guides: &[Guide]) -> Point {
+    fn point(
+        &self,
+        [h, k]: [usize; 2],
+        place: [f64; 2],
+        seen: &Outlook,
+        rays: usize,
+    ) -> Point {
         let (piece, x) = self.strata.point_at(h, place);
         let element = self.strata.pieces[piece as usize].element;
         let material = self.material(h);
         let stored = (self.field.irradiance)(ElementId(element), x);
         let mut sides = [Side::default(), Side::default()];
-        for (behind, guide) in guides.iter().enumerate() {
+        for (behind, guide) in seen.guides.iter().enumerate() {
             let place = self.place(h, x, behind == 1);
             let gather = |set: u64| {
                 let name = [h as u64, k as u64, set, behind as u64];
                 let mut random = Stream::named(self.sampling.seed, &name);
-                self.gather(&place, guide, &mut random)
+                let mut met = Vec::new();
+                let aim = Aim { guide, rays };
+                let light = self.gather(&place, aim, &mut random, &mut |_, on| {
+                    met.extend(on.stratum.map(|h| (h, on.share)));
+                });
+                GatheredLight { light, met }
             };
             sides[behind] = Side {
                 share: [material.diffuse(), material.translucence()][behind],
@@ -212,65 +200,50 @@ impl Gathering<'_> {
     /// Light that arrives at a place, W/m², from the field and from all that emits: by rays
     /// in all directions, and by rays towards the lights. Of what both may find each counts
     /// the share with which it finds it (Veach & Guibas 1995).
-    fn gather(
+    ///
+    /// `find` is told what each ray by direction finds, and at which point of the square.
+    pub fn gather(
         &self,
         place: &GatherPlace,
-        guide: &Guide,
+        aim: Aim,
         random: &mut Stream,
-    ) -> GatheredLight {
-        let mut found = GatheredLight::default();
-        let rays = (guide, self.sampling.rays);
-        self.by_direction(place, rays, random, &mut |_, on| {
-            found.light += on.light();
-            found.met.extend(on.stratum.map(|h| (h, on.share)));
-        });
+        find: &mut dyn FnMut(DVec2, &Arriving),
+    ) -> Rgb {
         let lights = self.lights.from(place.x, place.frame.z);
-        if lights.is_dark() {
-            return found;
+        let mut sum = Rgb::ZERO;
+        let (rays, towards) = (aim.rays as f64, aim.towards_lights() as f64);
+        let all: Vec<[f64; 2]> = random.points(aim.rays).collect();
+        for even in all {
+            let at = aim.guide.draw(even);
+            let local = cosine_direction(at);
+            let by_direction = rays * aim.guide.pdf(at, local);
+            let share = local.z / (PI * by_direction);
+            let ray = place.ray(place.frame.world_from_local(local));
+            self.rays.follow(ray, random, &mut |arrival| {
+                let densities = [by_direction, towards];
+                if let Some(on) = self.arrive(arrival, share, &lights, densities) {
+                    sum += on.bright + on.reflected;
+                    find(at, &on);
+                }
+            });
         }
-        let n = towards_lights(self.sampling.rays);
-        for choice in random.points::<3>(n) {
+        if lights.is_dark() {
+            return sum;
+        }
+        for choice in random.points::<3>(aim.towards_lights()) {
             let Some(drawn) = lights.draw(choice) else { continue };
             let local = place.frame.local_from_world(drawn.direction);
             if local.z <= 0.0 {
                 continue;
             }
-            let by_direction = guide.pdf(square_of(local), local);
-            let all = n as f64 * drawn.pdf + self.sampling.rays as f64 * by_direction;
-            let ray = Ray { origin: place.x, direction: drawn.direction };
-            let clear = self.rays.clear((ray, Some(place.surface)), drawn.surface);
-            found.light += clear * drawn.radiance * local.z / all;
+            let by_direction = rays * aim.guide.pdf(square_of(local), local);
+            let clear = self.rays.clear(place.ray(drawn.direction), drawn.surface);
+            let density = towards * drawn.pdf + by_direction;
+            sum += clear * drawn.radiance * local.z / density;
         }
-        found
+        sum
     }
     // ANCHOR_END: gather
-
-    /// Sends rays as a guide says, and tells what each finds.
-    fn by_direction(
-        &self,
-        place: &GatherPlace,
-        (guide, rays): (&Guide, usize),
-        random: &mut Stream,
-        find: &mut dyn FnMut(glam::DVec2, &Arriving),
-    ) {
-        let lights = self.lights.from(place.x, place.frame.z);
-        let even: Vec<[f64; 2]> = random.points(rays).collect();
-        for even in even {
-            let at = guide.draw(even);
-            let local = cosine_direction(at);
-            let by_direction = guide.pdf(at, local);
-            let direction = place.frame.world_from_local(local);
-            let ray = Ray { origin: place.x, direction };
-            let share = local.z / (PI * rays as f64 * by_direction);
-            let densities =
-                [rays as f64 * by_direction, towards_lights(self.sampling.rays) as f64];
-            self.rays.follow((ray, Some(place.surface)), random, &mut |arrival| {
-                if let Some(on) = self.arrive(arrival, share, &lights, densities) {
-                    find(at, &on);
-                }
-            });
-        }
-    }
 
     /// What comes from where a ray has arrived; `densities`: of rays by direction, and how
     /// many go towards lights.
@@ -323,17 +296,11 @@ impl Gathering<'_> {
 }
 
 /// What comes along a ray from where it has arrived, W/m² of `H`.
-struct Arriving {
+pub(super) struct Arriving {
     /// What `B` there counts here.
-    share: Rgb,
+    pub share: Rgb,
     /// Of a lamp's own light and the sky's, as far as rays by direction count it.
-    bright: Rgb,
-    reflected: Rgb,
-    stratum: Option<u32>,
-}
-
-impl Arriving {
-    fn light(&self) -> Rgb {
-        self.bright + self.reflected
-    }
+    pub bright: Rgb,
+    pub reflected: Rgb,
+    pub stratum: Option<u32>,
 }

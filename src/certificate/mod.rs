@@ -53,6 +53,7 @@ mod guide;
 mod interval;
 mod landings;
 mod lights;
+mod outlook;
 mod propagate;
 mod strata;
 

@@ -267,7 +267,7 @@ fn certified(room: &Room, field: &Field, goal: &Goal, work: &Work) -> Certificat
     work.tell("certifying", 0, 1);
     let mut certificate = with(usual);
     let likely = certificate.error.max(certificate.irradiance.error);
-    if likely <= AIM * goal.tolerance && certificate.worst() > goal.tolerance {
+    if likely <= goal.tolerance && certificate.worst() > goal.tolerance {
         let (rays, seed) = (MORE * usual.rays, !goal.seed);
         certificate = with(Sampling { rays, seed, ..usual });
     }

@@ -58,13 +58,16 @@ pub(super) fn read(
     scan.library(obj, used, &open)
 }
 
-/// The files that an `mtllib` statement names, with their bytes. A name may hold spaces
+/// A file, and its bytes.
+type OpenFile = (PathBuf, Vec<u8>);
+
+/// The files that an `mtllib` statement names. A name may hold spaces
 /// and `#`; else a comment stands there, or several names do.
 fn files(
     folder: &Path,
     named: &str,
     open: impl Fn(&Path) -> io::Result<Vec<u8>>,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, (PathBuf, io::Error)> {
+) -> Result<Vec<OpenFile>, (PathBuf, io::Error)> {
     let file = |name: &str| {
         let file = folder.join(name);
         match open(&file) {

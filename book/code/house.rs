@@ -1,8 +1,8 @@
 //! The appendix *The house*: the modules in their order and who uses whom, read from the
 //! source itself.
 //!
-//! [`Module`] is one line of `src/lib.rs`, [`svg`] draws all with an arc for each use, and
-//! [`table`] says what each is and which chapter explains it.
+//! [`Module`] is one line of `src/lib.rs`, `svg` draws all with an arc for each use, and
+//! `table` says what each is and which chapter explains it.
 
 use crate::generated::root;
 use crate::source::{Entry, summary};

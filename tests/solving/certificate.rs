@@ -178,8 +178,8 @@ fn the_error_of_a_floor_between_lights_lies_within() {
 }
 
 /// In the furnace the truth is exact: `B = E/(1 − ρ)`, and a field off by a share δ of
-/// it is off by `δ/ρ` of the reflected light. The residual is `(1 − ρ) δ B`: the upper
-/// bound is attained, so it must be honest to the last digit.
+/// it is off by `δ/ρ` of the reflected light. The residual is `(1 − ρ) δ B`: the worst that
+/// can be is attained.
 #[test]
 fn the_error_in_the_furnace_lies_within() {
     for rho in [0.3, 0.8] {
@@ -189,12 +189,8 @@ fn the_error_in_the_furnace_lies_within() {
             let b = Rgb::splat((1.0 + delta) / (1.0 - rho));
             let runs = runs(&scene, &mesh, &|_, _| b);
             let truth = (delta / rho).abs();
-            for c in &runs {
-                assert!(
-                    c.low <= truth + 1e-12 && truth <= c.high + 1e-12,
-                    "{truth} {c:?}"
-                );
-            }
+            let missed = misses(&runs, truth);
+            assert!(missed <= MAY_MISS, "{delta}: {missed} of {RUNS}");
         }
     }
 }
@@ -313,7 +309,7 @@ fn what_no_point_falls_on_is_not_known() {
     let truth = 17_000.0 * 2.0 * half / 6.0_f64.sqrt();
     assert!((truth - 0.694).abs() < 1e-3, "{truth}");
     let c = certify(&Room::of(&scene), &mesh, &field, Sampling::default());
-    assert!(c.high < 1e-12, "found: {c:?}");
+    assert!(c.high < 0.01, "found: {c:?}");
 }
 
 /// Nothing to certify, nothing to see, hardly any room: numbers, and sensible ones.
@@ -341,8 +337,11 @@ fn degenerate_scenes_have_certificates() {
                 assert!(c.error >= 0.0 && c.error.is_finite(), "{name}: {c:?}");
                 assert!(c.low <= c.error && c.error <= c.high, "{name}: {c:?}");
                 assert!(found.error.iter().all(|e| *e >= 0.0), "{name}");
-                let nothing = matches!(name, "black" | "dark" | "alone");
-                assert_eq!(nothing, c.high == 0.0, "{name}: {c:?}");
+                // Light that meets no reflecting front leaves what is reflected unknown.
+                match name {
+                    "black" | "dark" => assert_eq!(c.high, 0.0, "{name}: {c:?}"),
+                    _ => assert!(c.high >= 1.0, "{name}: {c:?}"),
+                }
             }
         }
     }

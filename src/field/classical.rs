@@ -178,7 +178,7 @@ impl Pass1 for Classical {
     }
 
     fn first(&self, room: &Room, tolerance: f64) -> Fineness {
-        let area: f64 = room.scene.surfaces.iter().map(|s| s.polygon.area()).sum();
+        let area = Mesh::area_in_scale(room.scene);
         Fineness {
             patch: (area / FIRST_ELEMENTS).sqrt(),
             solver: SOLVER_SHARE * tolerance,

@@ -90,6 +90,9 @@ const IN_VAIN: [usize; 2] = [2, 8];
 const SMALLEST: f64 = 1e-9;
 const SHORTEST: f64 = 1e-6;
 
+/// Nor one with an edge of fewer times what counts as rounding, where that is more.
+const SHORTEST_TOLD_APART: f64 = 1e3;
+
 impl Refinement<'_> {
     /// The elements of the patches split until they suffice, and the light at their
     /// vertices.
@@ -106,7 +109,7 @@ impl Refinement<'_> {
         mut light: Vec<Rgb>,
     ) -> (TwoLevels<'m>, Vec<Rgb>) {
         let mut levels = TwoLevels::undivided(patches);
-        let total: f64 = patches.polygons().map(|p| p.area()).sum();
+        let total = Mesh::area_in_scale(self.scene);
         self.ask_vertices(levels.elements(), &mut asked, &mut light);
         let mut known = HashMap::new();
         let most_in_vain = IN_VAIN[(self.ask == Asked::All) as usize];
@@ -149,7 +152,8 @@ impl Refinement<'_> {
 
     /// Marks the elements that make up 60 % of the square of the error, the worst first.
     fn largest(&self, mesh: &Mesh, errors: &[f64], total: f64) -> Vec<bool> {
-        let shortest = SHORTEST * total.sqrt();
+        let rounding = SHORTEST_TOLD_APART * self.scene.rounding();
+        let shortest = rounding.max(SHORTEST * total.sqrt());
         let divisible = |k: &usize| {
             let polygon = &mesh.elements[*k].polygon;
             polygon.area() > SMALLEST * total

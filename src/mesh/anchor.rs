@@ -9,7 +9,7 @@
 
 use super::build::Builder;
 use super::{Element, Mesh, VertexId};
-use crate::geometry::{Rgb, bounds};
+use crate::geometry::Rgb;
 use glam::DVec3;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -38,6 +38,9 @@ impl Mesh {
         self.anchors.iter().map(|a| a.vertex)
     }
 }
+
+/// Lines of one plane that are nearer than this many times what counts as rounding are one.
+const LINES_APART: f64 = 1e3;
 
 /// An edge of an element that no other element has in common with it.
 struct HangingEdge {
@@ -107,8 +110,8 @@ impl Builder {
                 edge.0 += 1;
             }
         }
-        let (low, high) = bounds(mesh.vertices.iter().copied());
-        let (origin, size) = (0.5 * (low + high), low.distance(high));
+        let near = LINES_APART * mesh.planes.rounding;
+        let mut origins: HashMap<u32, DVec3> = HashMap::new();
         let mut lines: BTreeMap<(u32, [i64; 6]), Vec<HangingEdge>> = BTreeMap::new();
         let mut free: Vec<([VertexId; 2], usize)> = edges
             .into_iter()
@@ -117,17 +120,18 @@ impl Builder {
             .collect();
         free.sort_unstable();
         for (ends, element) in free {
+            let surface = mesh.surface_of(&mesh.elements[element]);
+            let (plane, _) = mesh.planes.of_surface(surface);
+            let origin = *origins.entry(plane).or_insert(mesh.vertices[ends[0]]);
             let [a, b] = ends.map(|end| mesh.vertices[end] - origin);
             let Some(axis) = (b - a).try_normalize() else { continue };
             // Either sense of the line is the same line; nothing is at right angles to
             // this odd direction but by chance.
             let axis = axis * axis.dot(DVec3::new(0.5773, 0.7113, 0.4019)).signum();
-            let foot = (a - a.dot(axis) * axis) / size;
+            let foot = (a - a.dot(axis) * axis) / near;
             let [x, y, z] = (1.2345e6 * axis).to_array();
-            let [u, v, w] = (1.2345e6 * foot).to_array();
+            let [u, v, w] = (1.2345 * foot).to_array();
             let line = [x, y, z, u, v, w].map(|c| c.round() as i64);
-            let surface = mesh.surface_of(&mesh.elements[element]);
-            let (plane, _) = mesh.planes.of_surface(surface);
             lines.entry((plane, line)).or_default().push(HangingEdge { ends, element });
         }
         lines

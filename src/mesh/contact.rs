@@ -7,7 +7,7 @@
 //! the floor do the same: beneath it is another room, and what changes from one to the other
 //! does so within a few times the gap.
 
-use crate::geometry::{Plane, Polygon, bounds};
+use crate::geometry::{Plane, Polygon, Rgb, bounds};
 use crate::scene::{MaterialId, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -55,7 +55,7 @@ impl Planes {
     pub(super) fn of(scene: &Scene) -> Planes {
         let margin = 100.0 * scene.rounding();
         let mut groups: HashMap<(MaterialId, [i64; 4]), u32> = HashMap::new();
-        let mut planes: Vec<(Plane, Vec<&Polygon>)> = Vec::new();
+        let mut planes: Vec<(Vec<Plane>, Vec<&Polygon>)> = Vec::new();
         let mut group_of = Vec::new();
         for surface in &scene.surfaces {
             let plane = surface.polygon.plane();
@@ -63,7 +63,10 @@ impl Planes {
             let place = [x, y, z, plane.offset / (1.2345 * margin)];
             let place = place.map(|coordinate| coordinate.round() as i64);
             let group = *groups.entry((surface.material, place)).or_insert_with(|| {
-                planes.push((plane, Vec::new()));
+                // What light passes shows the lines of either side on both.
+                let through = scene.material(surface).translucence() != Rgb::ZERO;
+                let behind = through.then(|| plane.flipped());
+                planes.push(([plane].into_iter().chain(behind).collect(), Vec::new()));
                 planes.len() as u32 - 1
             });
             planes[group as usize].1.push(&surface.polygon);
@@ -75,12 +78,12 @@ impl Planes {
             .iter()
             .map(|s| (&s.polygon, bounds(s.polygon.vertices().iter().copied())))
             .collect();
-        let contacts = planes.iter().map(|(plane, own)| {
+        let contacts = planes.iter().map(|(sides, own)| {
             let (low, high) =
                 bounds(own.iter().flat_map(|p| p.vertices().iter().copied()));
             let size = diagonal.min(LARGER * low.distance(high));
             let near = [HOVERS, HOVERS_INSIDE].map(|share| share * size);
-            let lines = contact_lines(*plane, own, &others, margin, near);
+            let lines = contact_lines(sides, own, &others, margin, near);
             Contacts { lines, margin }
         });
         Planes { contacts: contacts.collect(), group_of, rounding: scene.rounding() }
@@ -93,23 +96,24 @@ impl Planes {
     }
 }
 
-/// The lines along which `others` meet `plane` inside one of its `own` polygons, or hover
-/// above it, nearer than `near`, farther inside than `sliver`.
+/// The lines along which `others` meet a plane inside one of its `own` polygons, or hover
+/// above one of its `sides`, nearer than `near`, farther inside than `sliver`.
 fn contact_lines(
-    plane: Plane,
+    sides: &[Plane],
     own: &[&Polygon],
     others: &[(&Polygon, (DVec3, DVec3))],
     margin: f64,
     [near, sliver]: [f64; 2],
 ) -> Vec<Contact> {
-    let mut lines: Vec<Contact> = Vec::new();
+    let (plane, mut lines) = (sides[0], Vec::<Contact>::new());
     let (low, high) = bounds(own.iter().flat_map(|p| p.vertices().iter().copied()));
     for (other, (from, to)) in others {
         if from.cmpgt(high + near).any() || to.cmplt(low - near).any() {
             continue;
         }
         let meets = meets(other, plane, margin).map(|ends| (ends, margin));
-        let hovering = hovering(other, plane, margin..near);
+        let hovering =
+            sides.iter().flat_map(|&side| hovering(other, side, margin..near));
         let hovering = hovering.map(|ends| (ends, sliver));
         for (ends, sliver) in meets.into_iter().chain(hovering) {
             if !own.iter().any(|p| overlap(p, ends, sliver) > 10.0 * sliver) {

@@ -44,6 +44,7 @@ mod interpolate;
 mod levels;
 mod locate;
 mod place;
+mod scale;
 mod split;
 
 pub use backs::Backs;
@@ -60,6 +61,7 @@ use anchor::Anchor;
 use build::Builder;
 use contact::Planes;
 use glam::DVec3;
+use scale::Scale;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -112,7 +114,8 @@ impl Mesh {
     }
 
     /// Elements whose edges are no longer than `max_edge` (scene units; positive), those
-    /// of a surface in one patch.
+    /// of a surface in one patch. Ground that is out of scale, ten times larger than all
+    /// that stands on it together, has edges that are longer by the distance to that.
     ///
     /// Quadrilaterals become grids, triangles become triangles, other outlines are first
     /// cut into quadrilaterals about their middle; then each cell that another surface
@@ -151,10 +154,11 @@ impl Mesh {
         assert!(max_edge > 0.0, "max_edge must be positive: {max_edge}");
         let planes = Arc::new(Planes::of(scene));
         let mut builder = Builder::new(Arc::clone(&planes));
+        let scale = Scale::of(scene);
         for (id, surface) in (0u32..).zip(&scene.surfaces) {
             let (_, contacts) = planes.of_surface(id);
-            let cells = grid::cells(&surface.polygon, max_edge).into_iter();
-            let cells = cells.flat_map(|cell| contacts.cut(cell)).collect();
+            let cells = scale.cells(id as usize, &surface.polygon, max_edge);
+            let cells = cells.into_iter().flat_map(|cell| contacts.cut(cell)).collect();
             add(&mut builder, id, surface, cells);
         }
         builder.finish()
@@ -162,7 +166,15 @@ impl Mesh {
 
     /// How many elements [`Mesh::uniform`] makes, contact lines aside.
     pub fn count_uniform(scene: &Scene, max_edge: f64) -> f64 {
-        scene.surfaces.iter().map(|s| grid::count(&s.polygon, max_edge)).sum()
+        let scale = Scale::of(scene);
+        let surfaces = scene.surfaces.iter().enumerate();
+        surfaces.map(|(k, s)| scale.count(k, &s.polygon, max_edge)).sum()
+    }
+
+    /// The area of all surfaces, scene units squared, but for ground that is out of scale:
+    /// elements with edges of `√(area/n)` are about `n`.
+    pub fn area_in_scale(scene: &Scene) -> f64 {
+        Scale::of(scene).area(scene)
     }
 
     /// Each element cut along the lines where other surfaces touch or pierce it, which

@@ -26,11 +26,13 @@ pub(super) fn portals(scene: &Scene) -> Vec<Polygon> {
     let visibility = Visibility::new(solid.iter().copied());
     let inwards = |p: Polygon| {
         let above = |p: &Polygon| {
-            scene
-                .surfaces
-                .iter()
-                .flat_map(|s| s.polygon.vertices())
-                .all(|&v| p.plane().height(v) >= -margin)
+            scene.surfaces.iter().all(|s| {
+                // What light passes and is a hair outside must not be left out.
+                let passes = scene.material(s).shine().passes();
+                let outside = if passes { scene.rounding() } else { margin };
+                let mut vertices = s.polygon.vertices().iter();
+                vertices.all(|&v| p.plane().height(v) >= -outside)
+            })
         };
         [p.flipped(), p].into_iter().find(above)
     };

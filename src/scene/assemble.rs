@@ -1,6 +1,6 @@
 //! From faces to surfaces: splits what is not convex or not planar, settles overlaps.
 
-use super::{Camera, Face, FaceId, MaterialId, Scene, Side, Surface, overlap};
+use super::{Camera, Face, FaceId, MaterialId, Scene, Side, Surface, layers, overlap};
 use crate::geometry::{PolygonError, Rgb, split};
 use crate::material::Material;
 use std::collections::HashMap;
@@ -114,11 +114,12 @@ impl Scene {
     /// Faces that are not convex or not planar are [split](split()). Where coplanar faces
     /// that look the same way overlap by more than rounding, the smaller one wins (the
     /// earlier of two equal ones): the other loses the part beneath, so no two surfaces
-    /// fight for the same points. (A pane or a sheet that lets light through stands a hair
-    /// before it instead, and nothing is lost.) It is then cut into convex pieces around the winner; a
+    /// fight for the same points. It is then cut into convex pieces around the winner; a
     /// face with nothing left still counts as a face, of area 0. Faces back to back and
-    /// faces that share an edge do not overlap. Without a `camera` it gets
-    /// [`Camera::showing`] its surfaces, the y-axis up.
+    /// faces that share an edge do not overlap. Nothing is lost where a pane, or a sheet that
+    /// lets light through, lies in the plane of another face, whichever way they look: it
+    /// stands a hair before that face, and before larger ones of its kind. Without a `camera`
+    /// the scene gets [`Camera::showing`] its surfaces, the y-axis up.
     ///
     /// # Errors
     /// When there is no face; and for a face that [`split()`] refuses: no area, edges that
@@ -157,7 +158,7 @@ impl Scene {
             let material = &materials[s.material.0 as usize];
             material.shine().pane().is_some() || material.translucence() != Rgb::ZERO
         };
-        overlap::stand_before(&mut surfaces, &passes);
+        layers::lift(&mut surfaces, faces.len(), &passes);
         let surfaces = overlap::settled(surfaces, faces.len(), &passes, &mut warnings);
         let camera =
             camera.unwrap_or_else(|| Camera::showing(&surfaces, glam::DVec3::Y));

@@ -35,6 +35,7 @@ mod assemble;
 mod builtin;
 mod camera;
 mod dulled;
+mod layers;
 mod overlap;
 
 pub use assemble::{Repair, SceneError};
@@ -160,14 +161,15 @@ impl Scene {
     /// Lengths below this are rounding, in scene units.
     ///
     /// A billionth of the diagonal: what coordinates with few digits leave between corners
-    /// that are meant to coincide. And no more than a hundred-thousandth of the smallest
-    /// surface, so that what lies far off, such as wide ground, joins nothing here.
+    /// that are meant to coincide. And no more than a ten-millionth of the smallest
+    /// surface, so that what lies far off, such as wide ground, joins nothing here: also not
+    /// [what lies on each other](Scene::assemble).
     pub fn rounding(&self) -> f64 {
         let sizes = self.surfaces.iter().map(|s| {
             let (low, high) = bounds(s.polygon.vertices().iter().copied());
             low.distance(high)
         });
-        (1e-9 * self.diagonal()).min(1e-5 * sizes.fold(f64::INFINITY, f64::min))
+        (1e-9 * self.diagonal()).min(1e-7 * sizes.fold(f64::INFINITY, f64::min))
     }
 
     /// Does any surface mirror, gloss or let light through in directions of its own, so

@@ -4,13 +4,12 @@
 //! points, and rounding would decide pixel by pixel (z-fighting). Candidates are found by
 //! a sweep along the longest side of the scene, so that large scenes stay cheap.
 //!
-//! A face that lets light through takes nothing from what lies in its plane: a pane on a
-//! lamp stands before it, and light meets both.
+//! A face that lets light through takes nothing from what lies in its plane, nor does that
+//! from it: light meets both ([`super::layers`]).
 
 use super::{FaceId, Repair, Surface};
 use crate::geometry::{Plane, Polygon, bounds};
-use glam::{DAffine3, DVec3};
-use std::collections::HashMap;
+use glam::DVec3;
 
 /// Distances below this share of the scene's diagonal are rounding: OBJ exporters write
 /// six decimals, which in a room of 5 m is 1e-7 of it.
@@ -27,7 +26,7 @@ pub(super) fn settled(
     warnings: &mut Vec<Repair>,
 ) -> Vec<Surface> {
     let mut pairs = overlapping(&surfaces, &|a, b| a.dot(b) > SAME);
-    pairs.retain(|&(i, j)| passes(&surfaces[i]) == passes(&surfaces[j]));
+    pairs.retain(|&(i, j)| !passes(&surfaces[i]) && !passes(&surfaces[j]));
     if pairs.is_empty() {
         return surfaces;
     }
@@ -68,19 +67,30 @@ pub(super) fn settled(
     left
 }
 
+/// The place of each face in the order in which they lie in front: the smallest first.
+///
+/// Areas are compared as f32, so that equal faces with corners in another order are still
+/// equal, and the earlier one comes first.
+pub(super) fn ranks(surfaces: &[Surface], faces: usize) -> Vec<usize> {
+    let mut areas = vec![0.0; faces];
+    for s in surfaces {
+        areas[s.face] += s.polygon.area();
+    }
+    let mut order: Vec<usize> = (0..faces).collect();
+    order.sort_by(|&a, &b| (areas[a] as f32).total_cmp(&(areas[b] as f32)));
+    let mut ranks = vec![0; faces];
+    order.into_iter().enumerate().for_each(|(rank, face)| ranks[face] = rank);
+    ranks
+}
+
 /// For each surface those that win over it, in order, of pairs that overlap.
 fn winners(
     surfaces: &[Surface],
     faces: usize,
     pairs: Vec<(usize, usize)>,
 ) -> Vec<Vec<usize>> {
-    // A rank for each face, the smallest first. Areas are compared as f32, so that equal
-    // faces with corners in another order are still equal, and the earlier one wins.
-    let mut areas = vec![0.0; faces];
-    for s in surfaces {
-        areas[s.face] += s.polygon.area();
-    }
-    let rank = |s: &Surface| (areas[s.face] as f32, s.face.0);
+    let ranks = ranks(surfaces, faces);
+    let rank = |s: &Surface| ranks[s.face];
     let mut winners = vec![Vec::new(); surfaces.len()];
     for (i, j) in pairs {
         let first_wins = rank(&surfaces[i]) < rank(&surfaces[j]);
@@ -91,43 +101,12 @@ fn winners(
     winners
 }
 
-/// So much before what it lies on stands a face that lets light through, as a share of its
-/// diameter: no more than light may leak by, far more than rounding.
-const BEFORE: f64 = 1e-6;
-
-/// Moves faces that let light through, as `passes` says, before the fronts of what lies in
-/// their planes and does not.
-pub(super) fn stand_before(
-    surfaces: &mut [Surface],
-    passes: &dyn Fn(&Surface) -> bool,
-) {
-    if !surfaces.iter().any(passes) {
-        return;
-    }
-    let mut moves: HashMap<FaceId, DVec3> = HashMap::new();
-    for (i, j) in overlapping(surfaces, &|a, b| a.dot(b).abs() > SAME) {
-        let (a, b) = (&surfaces[i], &surfaces[j]);
-        let (before, behind) = match (passes(a), passes(b)) {
-            (true, false) => (a, b),
-            (false, true) => (b, a),
-            _ => continue,
-        };
-        let by = BEFORE * before.polygon.diameter() * behind.polygon.normal();
-        moves.entry(before.face).or_insert(by);
-    }
-    for surface in surfaces.iter_mut() {
-        if let Some(&by) = moves.get(&surface.face) {
-            surface.polygon = surface.polygon.moved(&DAffine3::from_translation(by));
-        }
-    }
-}
-
 /// Do two normals with this cosine look the same way?
-const SAME: f64 = 0.999;
+pub(super) const SAME: f64 = 0.999;
 
 /// Pairs of surfaces of different faces that overlap in one plane and whose normals are
 /// `alike`.
-fn overlapping(
+pub(super) fn overlapping(
     surfaces: &[Surface],
     alike: &dyn Fn(DVec3, DVec3) -> bool,
 ) -> Vec<(usize, usize)> {
@@ -170,7 +149,7 @@ fn apart(a: &Extent, b: &Extent, gap: f64) -> bool {
     a.0.cmpgt(b.1 + gap).any() || b.0.cmpgt(a.1 + gap).any()
 }
 
-fn diagonal(surfaces: &[Surface]) -> f64 {
+pub(super) fn diagonal(surfaces: &[Surface]) -> f64 {
     let corners = surfaces.iter().flat_map(|s| s.polygon.vertices().iter().copied());
     let (low, high) = bounds(corners);
     low.distance(high)

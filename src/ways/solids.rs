@@ -46,9 +46,6 @@ struct Wall {
     polygon: Polygon,
 }
 
-/// What lies in one plane to within this share of the scene's diagonal does.
-const ROUNDING: f64 = 1e-9;
-
 impl Solids {
     /// Those of a scene.
     pub fn of(scene: &Scene) -> Solids {
@@ -72,7 +69,7 @@ impl Solids {
             touching: vec![vec![]; scene.faces.len()],
             rays: Visibility::new(walls.iter().map(|w| &w.polygon)),
             walls,
-            margin: ROUNDING * scene.diagonal(),
+            margin: scene.rounding(),
         };
         for (index, closed, faces) in joined(&scene.faces, components(scene, &glass)) {
             let corners = faces.iter().flat_map(|&k| scene.faces[k].outline.clone());

@@ -206,7 +206,7 @@ fn a_sheet_in_an_opening_is_lit_from_outside() {
 
 /// A closed unit room whose lid, E = 1 and ρ = ½ like all else, is its lamp, and ground that
 /// reaches far. What is emitted is absorbed; the floor's irradiance is that of a cube with
-/// even faces, to the 30 % that are asked for.
+/// even faces, within 10 %, where 30 % are asked for.
 #[test]
 fn far_ground_does_not_blacken_a_room() {
     let (opposite, beside) = (0.199_825, 0.200_044);
@@ -220,14 +220,87 @@ fn far_ground_does_not_blacken_a_room() {
     for name in ["mix", "ground1e4"] {
         let scene = scene(name, None);
         let solution = solved(&scene, 0.3);
-        let room: Vec<usize> = (0..scene.faces.len())
-            .filter(|&k| scene.faces[k].outline.iter().all(|v| v.length() < 2.0))
-            .collect();
-        assert_eq!(room.len(), 6, "{name}");
-        let h: Vec<f64> =
-            room.iter().map(|&k| irradiance(&solution, k as u32)).collect();
+        let h = in_the_room(&scene, &solution);
         let (absorbed, floor) = (0.5 * h.iter().sum::<f64>(), h[0]);
-        assert!((absorbed - 1.0).abs() < 0.1, "{name}: {absorbed} W");
-        assert!((floor / right - 1.0).abs() < 0.3, "{name}: {floor}, not {right}");
+        assert!((absorbed - 1.0).abs() < 0.01, "{name}: {absorbed} W");
+        assert!((floor / right - 1.0).abs() < 0.1, "{name}: {floor}, not {right}");
+    }
+}
+
+/// The mean irradiance of each face that is no more than a unit room, W/m².
+fn in_the_room(scene: &Scene, solution: &Solution) -> Vec<f64> {
+    let near = |f: &Face| f.outline.iter().all(|v| v.length() < 2.0);
+    let faces = (0..).zip(&scene.faces).filter(|(_, face)| near(face));
+    faces.map(|(k, _)| irradiance(solution, k)).collect()
+}
+
+/// A scene of the faces of `scene` and those given, all of its first material.
+fn beside(scene: &Scene, more: Vec<Vec<DVec3>>) -> Scene {
+    let mut faces = scene.faces.clone();
+    let material = faces[0].material;
+    faces.extend(more.into_iter().map(|outline| Face { outline, material }));
+    Scene::assemble("beside", scene.materials.clone(), faces, None).unwrap().0
+}
+
+/// A square of ground of this half width at this height, front upwards.
+fn ground(half: f64, y: f64) -> Vec<DVec3> {
+    [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)]
+        .map(|(x, z)| dvec3(half * x, y, half * z))
+        .to_vec()
+}
+
+/// A closed room is the same whatever lies around it, to the sum of what both fields are
+/// certified to: half the faces' irradiance is what they reflect. It costs no more than
+/// some patches, also at a tolerance that needs many.
+#[test]
+fn a_room_does_not_know_how_large_the_ground_is() {
+    let mut room = scene("mix", None);
+    room.faces.truncate(6);
+    let (room, triangle) = (beside(&room, vec![]), scene("mix", None).faces[6].clone());
+    for tolerance in [0.3, 0.02] {
+        let alone = solved(&room, tolerance);
+        let right = in_the_room(&room, &alone);
+        let norm = right.iter().map(|h| h * h).sum::<f64>().sqrt();
+        for (name, around) in [
+            ("1e4", vec![ground(1e4, -0.5)]),
+            ("1e5", vec![ground(1e5, -0.5)]),
+            ("1e6", vec![ground(1e6, -0.5)]),
+            ("two", vec![ground(1e6, -0.5), triangle.outline.clone()]),
+        ] {
+            let scene = beside(&room, around);
+            let solution = solved(&scene, tolerance);
+            assert!(solution.converged, "{name} {tolerance}");
+            let h = in_the_room(&scene, &solution);
+            let off = h.iter().zip(&right).map(|(a, b)| (a - b) * (a - b));
+            let off = off.sum::<f64>().sqrt() / norm;
+            let certified = solution.certificate.high + alone.certificate.high;
+            assert!(off <= certified.min(0.01), "{name} {tolerance}: {off}");
+            let more = solution.field.patches - alone.field.patches;
+            assert!(more < 2000, "{name} {tolerance}: {more} patches more");
+        }
+    }
+}
+
+/// A room without a floor that stands on the ground is as light on ground of 10⁴ m and of
+/// 10⁶ m as on 10 m, also when a wall is open: within 3 %, where 5 % are asked for.
+#[test]
+fn a_room_on_the_ground_does_not_know_how_large_it_is() {
+    for walls in [4, 3] {
+        let mut room = scene("mix", None);
+        let lid = room.faces[5].clone();
+        room.faces.truncate(1 + walls);
+        room.faces.push(lid);
+        room.faces.remove(0);
+        let found = [5.0, 1e4, 1e6].map(|half| {
+            let scene = beside(&room, vec![ground(half, 0.0)]);
+            let solution = solved(&scene, 0.05);
+            assert!(solution.converged, "{half}");
+            in_the_room(&scene, &solution)
+        });
+        for other in &found[1..] {
+            for (h, right) in other.iter().zip(&found[0]) {
+                assert!((h / right - 1.0).abs() < 0.03, "{found:?}");
+            }
+        }
     }
 }

@@ -5,6 +5,7 @@
 mod common;
 
 mod classes;
+mod coincident;
 mod cone;
 mod media;
 mod path_glass;

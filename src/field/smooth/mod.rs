@@ -73,7 +73,7 @@ impl Pass1 for Smooth {
     /// and reflected light together may take 0.4² + 0.5² = 0.41 of the square of the
     /// tolerance; the rest is for patches, hemicubes and the certificate's own doubt.
     fn first(&self, room: &Room, tolerance: f64) -> Fineness {
-        let area: f64 = room.scene.surfaces.iter().map(|s| s.polygon.area()).sum();
+        let area = Mesh::area_in_scale(room.scene);
         let patches = (PATCHES * 0.01 / tolerance).clamp(60.0, 2000.0);
         Fineness {
             patch: (area / patches).sqrt(),

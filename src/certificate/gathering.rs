@@ -20,12 +20,12 @@ use std::f64::consts::PI;
 pub(super) struct Point {
     pub stratum: u32,
     pub element: u32,
-    sides: [Side; 2],
+    sides: [LitSide; 2],
 }
 
 /// A side of a surface at a point: the front, and behind it, where light is let through.
 #[derive(Default)]
-struct Side {
+struct LitSide {
     /// `ρ` of a front, `τ` of a back.
     share: Rgb,
     /// `H` of the field, W/m².
@@ -52,7 +52,7 @@ impl Point {
 
     /// `r = E + ρ H(B) + τ H_behind(B) − B`, by gather `set`.
     pub fn residual(&self, set: usize) -> Rgb {
-        let of = |side: &Side| side.share * (side.gathered[set].light - side.stored);
+        let of = |side: &LitSide| side.share * (side.gathered[set].light - side.stored);
         self.sides.iter().map(of).sum()
     }
     // ANCHOR_END: residual
@@ -75,7 +75,7 @@ impl Point {
 
     /// `ρ H + τ H_behind` of the same.
     pub fn returned(&self, set: usize, of_strata: &[Rgb]) -> Rgb {
-        let of = |side: &Side| side.share * arriving(&side.gathered[set], of_strata);
+        let of = |side: &LitSide| side.share * arriving(&side.gathered[set], of_strata);
         self.sides.iter().map(of).sum()
     }
     // ANCHOR_END: arriving
@@ -174,7 +174,7 @@ impl Gathering<'_> {
         let element = self.strata.pieces[piece as usize].element;
         let material = self.material(h);
         let stored = (self.field.irradiance)(ElementId(element), x);
-        let mut sides = [Side::default(), Side::default()];
+        let mut sides = [LitSide::default(), LitSide::default()];
         for (behind, guide) in seen.guides.iter().enumerate() {
             let place = self.place(h, x, behind == 1);
             let gather = |set: u64| {
@@ -187,7 +187,7 @@ impl Gathering<'_> {
                 });
                 GatheredLight { light, met }
             };
-            sides[behind] = Side {
+            sides[behind] = LitSide {
                 share: [material.diffuse(), material.translucence()][behind],
                 stored: stored[behind],
                 gathered: [gather(1), gather(2)],

@@ -32,18 +32,18 @@ pub(super) struct Guide {
 
 /// What the first rays found.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
+pub(super) struct BrightCells {
     bright: Vec<f64>,
     even: f64,
 }
 
-impl Default for Found {
-    fn default() -> Found {
-        Found { bright: vec![0.0; CELLS * CELLS], even: 0.0 }
+impl Default for BrightCells {
+    fn default() -> BrightCells {
+        BrightCells { bright: vec![0.0; CELLS * CELLS], even: 0.0 }
     }
 }
 
-impl Found {
+impl BrightCells {
     /// Adds what a ray found: `bright` light of a lamp or the sky, which comes from few
     /// directions, and light that comes from all.
     pub fn add(&mut self, at: DVec2, bright: f64, even: f64) {
@@ -79,7 +79,7 @@ fn cell(at: DVec2) -> [usize; 2] {
 impl Guide {
     // ANCHOR: guide
     /// Follows what was found.
-    pub fn by(found: &Found) -> Guide {
+    pub fn by(found: &BrightCells) -> Guide {
         let few = BOOST * found.bright.iter().sum::<f64>();
         let guided = if few > 0.0 { (few / (few + found.even)).min(MOST) } else { 0.0 };
         let spread = found.spread();
@@ -145,7 +145,7 @@ mod tests {
     /// The densities are those of the draws, and sum to one: `∫ f = mean of f/p`.
     #[test]
     fn what_is_drawn_has_the_density_it_says() {
-        let mut found = Found::default();
+        let mut found = BrightCells::default();
         found.add(dvec2(0.7, 0.2), 3.0, 4.0);
         found.add(dvec2(0.1, 0.9), 1.0, 2.0);
         let guide = Guide::by(&found);

@@ -9,10 +9,10 @@ use crate::mesh::Mesh;
 /// How sure the bounds are.
 pub(super) const CONFIDENCE: f64 = 0.95;
 
-/// So many standard errors to either side: normal numbers are above with a chance of 0.0041,
-/// the twelfth part of what [`CONFIDENCE`] leaves. For whoever refines until a bound suffices
-/// looks up to twelve times, and the chance to be deceived once is the sum.
-const QUANTILE: f64 = 2.64;
+/// So many standard errors to either side: normal numbers are above with a chance of 0.0028,
+/// an eighteenth of what [`CONFIDENCE`] leaves. For whoever refines until a bound suffices
+/// looks up to eighteen times, and the chance to be deceived once is at most the sum.
+const QUANTILE: f64 = 2.77;
 
 /// The share of the error's variation within strata that may reach others: as far as the
 /// light from a stratum depends on where on it the error lies.

@@ -77,16 +77,22 @@ pub(super) struct Source<'a> {
     pub lights: &'a Lights<'a>,
     /// Does any front reflect?
     pub reflects: bool,
+    /// A ball that holds all of the scene: its middle and its radius.
+    pub ball: (DVec3, f64),
+}
+
+/// A ball that holds all of a scene.
+pub(super) fn ball(scene: &Scene) -> (DVec3, f64) {
+    let corners = scene.surfaces.iter().flat_map(|s| s.polygon.vertices());
+    let (low, high) = bounds(corners.copied());
+    (0.5 * (low + high), 0.5 * low.distance(high))
 }
 
 impl Source<'_> {
     /// Sends rays until what they may have missed is no more than `unseen` of what they saw
     /// reflected, or they are many.
     pub fn landings(&self, field: &Judged, unseen: f64, seed: u64) -> Landings {
-        let corners = self.scene.surfaces.iter().flat_map(|s| s.polygon.vertices());
-        let (low, high) = bounds(corners.copied());
-        let (middle, radius) = (0.5 * (low + high), 0.5 * low.distance(high));
-        let (mut powers, of_sky) = self.lights.powers(radius);
+        let (mut powers, of_sky) = self.lights.powers(self.ball.1);
         powers.push(of_sky);
         let mut all = Landings {
             on: vec![Vec::new(); field.mesh.elements.len()],
@@ -104,7 +110,7 @@ impl Source<'_> {
         for flight in 0..MOST_FLIGHTS {
             let ray = |k: u64| {
                 let mut random = Stream::named(seed, &[u64::MAX - 1, flight, k]);
-                self.flight((middle, radius), &shares, &mut random)
+                self.flight(&shares, &mut random)
             };
             let landed: Vec<Vec<Landing>> =
                 (0..FLIGHT).into_par_iter().map(ray).collect();
@@ -131,16 +137,11 @@ impl Source<'_> {
     }
 
     /// Where the light of one ray lands.
-    fn flight(
-        &self,
-        (middle, radius): (DVec3, f64),
-        shares: &Shares,
-        random: &mut Stream,
-    ) -> Vec<Landing> {
+    fn flight(&self, shares: &Shares, random: &mut Stream) -> Vec<Landing> {
         let mut landed = Vec::new();
         let (k, rest) = shares.pick(random.next());
         let of_sky = k == self.lights.lamps();
-        let mut start = self.start(k, rest, (middle, radius), random);
+        let mut start = self.start(k, rest, random);
         for bounce in 0..=BOUNCES {
             let Some((ray, leaving)) = start.take() else { break };
             let mut last = None;
@@ -176,7 +177,6 @@ impl Source<'_> {
         &self,
         k: usize,
         rest: f64,
-        (middle, radius): (DVec3, f64),
         random: &mut Stream,
     ) -> Option<(Ray, Option<u32>)> {
         let mut next = || random.next();
@@ -185,6 +185,7 @@ impl Source<'_> {
             let frame = Frame::about(direction);
             let disc = cosine_direction(dvec2(next(), next())).truncate();
             let across = frame.x * disc.x + frame.y * disc.y;
+            let (middle, radius) = self.ball;
             let origin = middle + radius * (across + 2.0 * direction);
             return Some((Ray { origin, direction: -direction }, None));
         }

@@ -35,7 +35,7 @@ pub(super) struct FromHere<'l> {
 }
 
 /// A light that was drawn.
-pub(super) struct Drawn {
+pub(super) struct DrawnLight {
     /// Towards it, of unit length.
     pub direction: DVec3,
     /// The surface that it is; `None` for the sky.
@@ -123,12 +123,12 @@ impl FromHere<'_> {
 
     // ANCHOR: draw
     /// Light that may come here; `None` where the lamp turns its back.
-    pub fn draw(&self, [choice, u, v]: [f64; 3]) -> Option<Drawn> {
+    pub fn draw(&self, [choice, u, v]: [f64; 3]) -> Option<DrawnLight> {
         if choice < self.sky {
             let sky = self.lights.sky?;
             let (direction, pdf) = sky.sample(dvec2(u, v));
             let (radiance, pdf) = (sky.radiance(direction), self.sky * pdf);
-            return Some(Drawn { direction, surface: None, radiance, pdf });
+            return Some(DrawnLight { direction, surface: None, radiance, pdf });
         }
         let (k, _) = self.shares.pick((choice - self.sky) / (1.0 - self.sky));
         let lamp = &self.lights.lamps[k];
@@ -136,7 +136,7 @@ impl FromHere<'_> {
         let direction = (y - self.x).try_normalize()?;
         let (pdf, radiance) = (self.pdf_of_lamp(lamp.surface, y), lamp.emission / PI);
         let surface = Some(lamp.surface);
-        (pdf > 0.0).then_some(Drawn { direction, surface, radiance, pdf })
+        (pdf > 0.0).then_some(DrawnLight { direction, surface, radiance, pdf })
     }
 
     /// The density, in 1/sr, with which `y` on a surface is drawn: `chance/area · r²/cosθ`.

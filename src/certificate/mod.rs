@@ -65,7 +65,7 @@ use crate::ways::Specular;
 use gathering::{Gathering, Point};
 use glam::DVec3;
 use interval::Norm;
-use landings::{Landings, MISSED, Source};
+use landings::{Landings, MISSED, Source, ball};
 use lights::Lights;
 use propagate::{Means, StrataExchange};
 use strata::Strata;
@@ -211,7 +211,8 @@ pub fn audit(
     let (rays, lights) = (Specular::within(scene, visibility), Lights::of(scene));
     let reflects =
         scene.surfaces.iter().any(|s| scene.material(s).scattered() != Rgb::ZERO);
-    let source = Source { scene, rays: &rays, lights: &lights, reflects };
+    let source =
+        Source { scene, rays: &rays, lights: &lights, reflects, ball: ball(scene) };
     let landings = source.landings(field, sampling.unseen, sampling.seed);
     let strata = Strata::of(mesh, &landings, sampling.points);
     let pieces = strata.pieces.iter();

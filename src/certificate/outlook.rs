@@ -1,7 +1,7 @@
 //! A first look around from each stratum: where light comes from, and how much rays differ.
 
 use super::gathering::{Aim, Gathering};
-use super::guide::{Found, Guide, square_of};
+use super::guide::{BrightCells, Guide, square_of};
 use crate::geometry::Rgb;
 use crate::random::Stream;
 use glam::DVec3;
@@ -68,8 +68,8 @@ impl Gathering<'_> {
     }
 
     /// From where light has landed on a stratum, as so many points have seen it.
-    fn landed(&self, h: usize, points: usize, behind: bool) -> Found {
-        let mut landed = Found::default();
+    fn landed(&self, h: usize, points: usize, behind: bool) -> BrightCells {
+        let mut landed = BrightCells::default();
         let frame = self.place(h, DVec3::ZERO, behind).frame;
         let each = self.power * points as f64 / self.strata.area[h];
         for &from in &self.strata.from[h] {

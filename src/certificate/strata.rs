@@ -46,7 +46,7 @@ pub(super) struct Strata {
 }
 
 /// A part of an element, what it is worth, and the directions of [`Landed::from`].
-struct Part {
+struct ElementPart {
     polygon: Polygon,
     worth: f64,
     from: Vec<DVec3>,
@@ -81,7 +81,7 @@ impl Worth {
         polygon: Polygon,
         share: f64,
         landings: &[Landed],
-        into: &mut Vec<Part>,
+        into: &mut Vec<ElementPart>,
     ) {
         let worth = self.of_area * polygon.area()
             + self.of_element * share
@@ -92,7 +92,7 @@ impl Worth {
         // A sliver that cannot be cut stays whole.
         let [first, second] = &halves[..] else {
             let from = landings.iter().filter_map(|landed| landed.from).collect();
-            into.push(Part { polygon, worth, from });
+            into.push(ElementPart { polygon, worth, from });
             return;
         };
         let (here, there): (Vec<Landed>, Vec<Landed>) =
@@ -118,7 +118,7 @@ impl Strata {
             let mut parts = Vec::new();
             let places = landings.on.get(k as usize).map_or(&[][..], |p| &p[..]);
             worth.divide(element.polygon.clone(), 1.0, places, &mut parts);
-            for Part { polygon, worth, from: directions } in parts {
+            for ElementPart { polygon, worth, from: directions } in parts {
                 match (members.last_mut(), worths.last_mut()) {
                     (Some(last), Some(sum))
                         if before == here && *sum + worth <= MOST =>

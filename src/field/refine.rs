@@ -57,14 +57,14 @@ pub(super) struct Refinement<'a> {
 
 /// The light that an error is held against.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Scale {
+pub(super) struct LightScale {
     /// `‖B − E‖²`, per channel.
     pub reflected: Rgb,
     /// `‖H‖²`.
     pub arriving: Rgb,
 }
 
-impl Scale {
+impl LightScale {
     /// `c` of a surface that scatters this: its error matters by what it sends on, and, were
     /// it black, by what arrives. A channel without light does not count.
     pub fn counts(&self, scattered: Rgb) -> Rgb {

@@ -29,7 +29,7 @@ mod patches;
 mod specular;
 mod system;
 
-use super::refine::{Asked, Refinement, Scale};
+use super::refine::{Asked, LightScale, Refinement};
 use super::{Cannot, Field, Fineness, Pass1};
 use crate::geometry::Rgb;
 use crate::mesh::{Element, Mesh, TwoLevels};
@@ -128,7 +128,7 @@ fn smooth(room: &Room, how: &Fineness, work: &Work) -> Field {
     let (levels, light) = summed.on(&patches, 2.0 * how.direct, scale);
     let mut system = System::new(room, &levels, &light, how.hemicube);
     let looks = AtomicUsize::new(system.look(how.reflected.is_finite(), progress));
-    let light = reflected_light((scene, scale), &mut system, how, &looks, progress);
+    let light = reflected_light(&summed, scale, &mut system, &looks, progress);
 
     progress("direct light", 1, 2);
     // What reflected light was split into are patches to the direct light.
@@ -170,7 +170,7 @@ impl DirectLight<'_> {
         &self,
         patches: &'m Mesh,
         target: f64,
-        scale: Scale,
+        scale: LightScale,
     ) -> (TwoLevels<'m>, Vec<Rgb>) {
         let on: Vec<_> =
             patches.elements.par_iter().map(|e| self.direct.on(&e.polygon)).collect();
@@ -190,7 +190,7 @@ impl DirectLight<'_> {
 
     /// `‖H_direct‖²` and `‖ρ H_direct‖²` by the centres of the patches, and by the spots next
     /// to lamps.
-    fn scale(&self, patches: &Mesh) -> Scale {
+    fn scale(&self, patches: &Mesh) -> LightScale {
         let squares = |e: &Element| {
             let light = self.direct.on(&e.polygon);
             let centre = e.polygon.centroid();
@@ -205,7 +205,7 @@ impl DirectLight<'_> {
         let squares: Vec<Rgb> = patches.elements.par_iter().map(squares).collect();
         let scattered = scattered(self.scene, patches);
         let reflected = scattered.iter().zip(&squares).map(|(s, h)| s * s * h).sum();
-        Scale { reflected, arriving: squares.into_iter().sum() }
+        LightScale { reflected, arriving: squares.into_iter().sum() }
     }
 }
 
@@ -215,7 +215,7 @@ fn scattered(scene: &Scene, patches: &Mesh) -> Vec<Rgb> {
 }
 
 /// What an error in `H` of each of these patches counts.
-fn counts(scene: &Scene, patches: &Mesh, scale: Scale) -> Vec<Rgb> {
+fn counts(scene: &Scene, patches: &Mesh, scale: LightScale) -> Vec<Rgb> {
     scattered(scene, patches).into_iter().map(|s| scale.counts(s)).collect()
 }
 
@@ -227,7 +227,7 @@ struct Reflected<'a> {
     levels: TwoLevels<'a>,
     /// At the vertices of their elements.
     on_elements: Vec<Rgb>,
-    scale: Scale,
+    scale: LightScale,
     residual: f64,
     rounds: usize,
 }
@@ -241,18 +241,18 @@ fn square(mesh: &Mesh, of_vertices: &[Rgb]) -> Rgb {
 /// Solves for the light at the corners of the patches, splits them where it bends, and
 /// corrects by that what they send.
 fn reflected_light<'a>(
-    (scene, direct): (&Scene, Scale),
+    summed: &DirectLight,
+    direct: LightScale,
     system: &mut System<'a>,
-    how: &Fineness,
     looks: &AtomicUsize,
     progress: Progress,
 ) -> Reflected<'a> {
-    let patches = system.mesh();
+    let (scene, how, patches) = (summed.scene, summed.how, system.mesh());
     let dark = vec![Rgb::ZERO; patches.vertices.len()];
     let (before, residual, rounds) = system.solve(how.solver, &dark, progress);
     let reflected = system.reflected_light(&before);
     let arriving = direct.arriving + square(patches, &before);
-    let scale = Scale { reflected, arriving };
+    let scale = LightScale { reflected, arriving };
     progress("reflected light", 0, 1);
     if how.reflected.is_infinite() {
         let (levels, on_elements) = (TwoLevels::undivided(patches), before.clone());

@@ -125,9 +125,11 @@ pub(super) struct Aim<'g> {
 }
 
 impl Aim<'_> {
-    /// So many go towards lights besides.
-    fn towards_lights(&self) -> usize {
-        (self.rays / 2).max(8)
+    /// So many go towards lights besides; few, if that is only the sky: what it sends comes
+    /// by openings, of which nothing is known here.
+    fn towards(&self, lights: &FromHere) -> usize {
+        let share = if lights.has_lamps() { 2 } else { 8 };
+        (self.rays / share).max(8)
     }
 }
 
@@ -211,7 +213,8 @@ impl Gathering<'_> {
     ) -> Rgb {
         let lights = self.lights.from(place.x, place.frame.z);
         let mut sum = Rgb::ZERO;
-        let (rays, towards) = (aim.rays as f64, aim.towards_lights() as f64);
+        let count = aim.towards(&lights);
+        let (rays, towards) = (aim.rays as f64, count as f64);
         let all: Vec<[f64; 2]> = random.points(aim.rays).collect();
         for even in all {
             let at = aim.guide.draw(even);
@@ -230,7 +233,7 @@ impl Gathering<'_> {
         if lights.is_dark() {
             return sum;
         }
-        for choice in random.points::<3>(aim.towards_lights()) {
+        for choice in random.points::<3>(count) {
             let Some(drawn) = lights.draw(choice) else { continue };
             let local = place.frame.local_from_world(drawn.direction);
             if local.z <= 0.0 {

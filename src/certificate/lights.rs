@@ -80,7 +80,7 @@ impl<'s> Lights<'s> {
         let any = weights.iter().any(|&w| w > 0.0);
         let shares = Shares::of(if any { weights } else { Vec::new() });
         let sky = match self.sky {
-            Some(_) if any => 0.5,
+            Some(_) if any => 0.25,
             Some(_) => 1.0,
             None => 0.0,
         };
@@ -116,9 +116,14 @@ impl<'s> Lights<'s> {
 }
 
 impl FromHere<'_> {
-    /// Is there any light to be asked?
+    /// Is there any lamp to be asked?
+    pub fn has_lamps(&self) -> bool {
+        !self.shares.is_empty()
+    }
+
+    /// Is there any light at all?
     pub fn is_dark(&self) -> bool {
-        self.shares.is_empty() && self.sky == 0.0
+        !self.has_lamps() && self.sky == 0.0
     }
 
     // ANCHOR: draw

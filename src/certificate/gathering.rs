@@ -198,12 +198,12 @@ impl Gathering<'_> {
         Point { stratum: h as u32, element, sides }
     }
 
-    // ANCHOR: gather
     /// Light that arrives at a place, W/m², from the field and from all that emits: by rays
     /// in all directions, and by rays towards the lights. Of what both may find each counts
     /// the share with which it finds it (Veach & Guibas 1995).
     ///
     /// `find` is told what each ray by direction finds, and at which point of the square.
+    // ANCHOR: gather
     pub fn gather(
         &self,
         place: &GatherPlace,

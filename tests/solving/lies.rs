@@ -21,9 +21,9 @@ use radiosity::solution::sampling_for;
 /// What is asked for.
 const TOLERANCE: f64 = 0.1;
 
-/// So many seeds each. Were lies caught in 95 of 100 runs only, all of 20 would be in 36 of
-/// 100: the eleven lies together would pass with a chance of 1e-5.
-const SEEDS: u64 = 20;
+/// So many seeds each: were lies caught in 95 of 100 runs only, all 60 runs together would
+/// pass with a chance of 5 %.
+const SEEDS: u64 = 6;
 
 type Faces = Vec<(Polygon, Coefficients)>;
 
@@ -123,7 +123,7 @@ fn caught(name: &str, scene: &Scene, told: &Scene, times: f64) {
     println!(
         "{name}: off by {wrong:.3}, high/true up to {sharp:.2}, truth {accepted} of {SEEDS}"
     );
-    assert!(accepted >= SEEDS - 2, "{name}: the truth is believed {accepted} times");
+    assert!(accepted >= SEEDS - 1, "{name}: the truth is believed {accepted} times");
 }
 
 #[test]

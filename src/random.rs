@@ -12,6 +12,7 @@
 //! |-----------------------|------------------------------------|--------------------------|
 //! | [`Stream::next`]      | one number is needed               | many are: clumps         |
 //! | [`Stream::points`]    | `n` points that fill a cube evenly | `n` is 1: as `next`      |
+//! | [`Shares::pick`]      | one of several, by its weight      | there is none            |
 //!
 //! ```
 //! use radiosity::random::Stream;
@@ -74,5 +75,57 @@ impl Stream {
             std::array::from_fn(|d| (shift[d] + steps[d] * k as f64).fract())
         };
         (0..n).map(point)
+    }
+}
+
+/// Several things, to be drawn each as often as its weight says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shares {
+    /// The share of all weights up to the end of each; the last has 1.
+    so_far: Vec<f64>,
+}
+
+/// Rounding must not carry a draw over the edge of its share, where the density is another.
+const INSIDE: f64 = 1e-9;
+
+impl Shares {
+    /// Of weights, none negative; even shares where all are 0.
+    pub fn of(weights: impl IntoIterator<Item = f64>) -> Shares {
+        let mut sum = 0.0;
+        let sums = weights.into_iter().map(|weight| {
+            sum += weight;
+            sum
+        });
+        let mut so_far: Vec<f64> = sums.collect();
+        let n = so_far.len() as f64;
+        for (k, share) in so_far.iter_mut().enumerate() {
+            *share = if sum > 0.0 { *share / sum } else { (k + 1) as f64 / n };
+        }
+        if let Some(last) = so_far.last_mut() {
+            *last = 1.0;
+        }
+        Shares { so_far }
+    }
+
+    /// Is there nothing to draw?
+    pub fn is_empty(&self) -> bool {
+        self.so_far.is_empty()
+    }
+
+    /// The share of thing `k`, in `[0, 1]`.
+    pub fn share(&self, k: usize) -> f64 {
+        self.so_far[k] - if k > 0 { self.so_far[k - 1] } else { 0.0 }
+    }
+
+    /// The thing that `u` in `[0, 1)` draws, and how far into its share it falls, in
+    /// `(0, 1)`: as good as a new number.
+    ///
+    /// # Panics
+    /// When there is none.
+    pub fn pick(&self, u: f64) -> (usize, f64) {
+        let k = self.so_far.partition_point(|&share| share <= u);
+        let k = k.min(self.so_far.len() - 1);
+        let before = self.so_far[k] - self.share(k);
+        (k, ((u - before) / self.share(k)).clamp(INSIDE, 1.0 - INSIDE))
     }
 }

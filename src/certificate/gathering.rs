@@ -1,204 +1,309 @@
-//! Gathers light at points, independently of any form factor.
+//! Gathers light at points: the residual of a field, by rays and nothing else.
 
-use super::strata::{NONE, Piece, Strata};
+use super::guide::{Guide, square_of};
+use super::lights::{FromHere, Lights};
+use super::outlook::{Outlook, allotted};
+use super::strata::Strata;
 use super::{Judged, Sampling};
-use crate::form_factor::ray_from;
-use crate::geometry::{Frame, Polygon, Rgb};
+use crate::geometry::{Frame, Ray, Rgb};
 use crate::material::Material;
-use crate::mesh::{ElementId, Locator, Mesh};
+use crate::mesh::{ElementId, Locator};
+use crate::radiometry::cosine_direction;
 use crate::random::Stream;
-use crate::room::Direct;
 use crate::scene::Scene;
-use crate::visibility::Visibility;
 use crate::ways::{Arrival, Met, Specular};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
-use std::borrow::Cow;
 use std::f64::consts::PI;
-
-/// Of an emission: what interpolation rounds by.
-const ROUNDING: f64 = 1e-14;
 
 /// What is known at one point.
 pub(super) struct Point {
     pub stratum: u32,
     pub element: u32,
-    /// `r` by each of the two gathers.
-    pub residual: [Rgb; 2],
-    /// `B − E`.
-    pub reflected: Rgb,
-    /// Of each gather: the strata that rays met, and what `B` there counts here.
-    pub met: [Vec<(u32, Rgb)>; 2],
+    sides: [LitSide; 2],
 }
 
-impl Point {
-    // ANCHOR: arriving
-    /// `ρ H`, as gather `set` has it, of what is `of_strata`.
-    pub fn arriving(&self, set: usize, of_strata: &[Rgb]) -> Rgb {
-        self.met[set].iter().map(|&(h, share)| share * of_strata[h as usize]).sum()
-    }
-    // ANCHOR_END: arriving
-}
-
-/// The scene, ready for gathers.
-pub(super) struct Gathering<'a> {
-    scene: &'a Scene,
-    mesh: &'a Mesh,
-    strata: &'a Strata,
-    field: &'a Judged<'a>,
-    sampling: Sampling,
-    rays: Specular<'a>,
-    locator: Locator,
-    direct: &'a Direct<'a>,
-}
-
-/// A side of a surface on which light is gathered.
-struct ScatteringSide<'p> {
-    polygon: Cow<'p, Polygon>,
+/// A side of a surface at a point: the front, and behind it, where light is let through.
+#[derive(Default)]
+struct LitSide {
     /// `ρ` of a front, `τ` of a back.
     share: Rgb,
+    /// `H` of the field, W/m².
+    stored: Rgb,
+    /// What each of two gathers finds of it.
+    gathered: [GatheredLight; 2],
 }
 
 /// What one gather finds.
 #[derive(Default)]
 struct GatheredLight {
-    /// `ρ H`, W/m².
+    /// `H`, W/m².
     light: Rgb,
+    /// The strata that rays met, and what `B` there counts here.
     met: Vec<(u32, Rgb)>,
 }
 
-impl<'a> Gathering<'a> {
-    pub fn new(
-        (scene, visibility, direct): (&'a Scene, &'a Visibility, &'a Direct<'a>),
-        strata: &'a Strata,
-        field: &'a Judged<'a>,
-        sampling: Sampling,
-    ) -> Gathering<'a> {
-        let mesh = field.mesh;
-        let surface = |p: &Piece| mesh.surface_of(&mesh.elements[p.element as usize]);
-        let pieces = strata.pieces.iter().map(|p| (surface(p), &p.polygon));
-        let locator = Locator::of(scene, pieces);
-        let rays = Specular::within(scene, visibility);
-        Gathering { scene, mesh, strata, field, sampling, rays, locator, direct }
+impl Point {
+    // ANCHOR: residual
+    /// `H(B) − H` on the front, by gather `set`: what the field lacks there.
+    pub fn lacks(&self, set: usize) -> Rgb {
+        self.sides[0].gathered[set].light - self.sides[0].stored
     }
 
+    /// `r = E + ρ H(B) + τ H_behind(B) − B`, by gather `set`.
+    pub fn residual(&self, set: usize) -> Rgb {
+        let of = |side: &LitSide| side.share * (side.gathered[set].light - side.stored);
+        self.sides.iter().map(of).sum()
+    }
+    // ANCHOR_END: residual
+
+    /// `H` of the field on the front.
+    pub fn stored(&self) -> Rgb {
+        self.sides[0].stored
+    }
+
+    /// `B − E` of the field.
+    pub fn reflected(&self) -> Rgb {
+        self.sides.iter().map(|side| side.share * side.stored).sum()
+    }
+
+    // ANCHOR: arriving
+    /// `H` on the front, as gather `set` has it, of what leaves the strata.
+    pub fn arriving(&self, set: usize, of_strata: &[Rgb]) -> Rgb {
+        arriving(&self.sides[0].gathered[set], of_strata)
+    }
+
+    /// `ρ H + τ H_behind` of the same.
+    pub fn returned(&self, set: usize, of_strata: &[Rgb]) -> Rgb {
+        let of = |side: &LitSide| side.share * arriving(&side.gathered[set], of_strata);
+        self.sides.iter().map(of).sum()
+    }
+    // ANCHOR_END: arriving
+
+    /// All strata that rays met from the front, or with `behind` from the back.
+    pub fn met(&self, behind: bool) -> impl Iterator<Item = &(u32, Rgb)> {
+        self.sides[usize::from(behind)].gathered.iter().flat_map(|g| &g.met)
+    }
+}
+
+fn arriving(gathered: &GatheredLight, of_strata: &[Rgb]) -> Rgb {
+    gathered.met.iter().map(|&(h, share)| share * of_strata[h as usize]).sum()
+}
+
+/// The scene, ready for gathers.
+pub(super) struct Gathering<'a> {
+    pub scene: &'a Scene,
+    pub rays: &'a Specular<'a>,
+    pub lights: &'a Lights<'a>,
+    pub strata: &'a Strata,
+    pub field: &'a Judged<'a>,
+    pub locator: Locator,
+    pub sampling: Sampling,
+    /// Of one landing, W.
+    pub power: f64,
+}
+
+/// A place on a side of a surface, where light is gathered.
+pub(super) struct GatherPlace {
+    x: DVec3,
+    surface: u32,
+    pub frame: Frame,
+}
+
+impl GatherPlace {
+    /// A ray from here, and the surface that it leaves.
+    fn ray(&self, direction: DVec3) -> (Ray, Option<u32>) {
+        (Ray { origin: self.x, direction }, Some(self.surface))
+    }
+}
+
+/// How rays are drawn, and how many.
+#[derive(Clone, Copy)]
+pub(super) struct Aim<'g> {
+    pub guide: &'g Guide,
+    pub rays: usize,
+}
+
+impl Aim<'_> {
+    /// So many go towards lights besides; few, if that is only the sky: what it sends comes
+    /// by openings, of which nothing is known here.
+    fn towards(&self, lights: &FromHere) -> usize {
+        let share = if lights.has_lamps() { 2 } else { 8 };
+        (self.rays / share).max(8)
+    }
+}
+
+impl Gathering<'_> {
     /// The points of all strata, in order.
     pub fn all(&self) -> Vec<Point> {
         let strata = (0..self.strata.len()).into_par_iter();
-        strata.flat_map_iter(|h| self.points(h)).collect()
-    }
-
-    fn points(&self, h: usize) -> Vec<Point> {
-        let mut random = Stream::named(self.sampling.seed, &[h as u64]);
-        let places = random.points(self.strata.points[h]);
-        places.enumerate().map(|(k, place)| self.point(h, k, place)).collect()
-    }
-
-    fn material(&self, piece: u32) -> &Material {
-        let element = self.strata.pieces[piece as usize].element;
-        let patch = self.mesh.patch_of(&self.mesh.elements[element as usize]);
-        &self.scene.materials[patch.material]
-    }
-
-    /// `B` of the field at a point that emits `e`. Interpolated between equal corners it may
-    /// differ from that by rounding: no light was reflected there.
-    fn radiosity(&self, id: ElementId, x: DVec3, e: Rgb) -> Rgb {
-        let b = (self.field.radiosity)(id, x);
-        if (b - e).abs().cmple(ROUNDING * e).all() { e } else { b }
-    }
-
-    fn point(&self, h: usize, k: usize, place: [f64; 2]) -> Point {
-        let (which, x) = self.strata.point_at(h, place);
-        let piece = &self.strata.pieces[which as usize];
-        let material = self.material(which);
-        let front = Cow::Borrowed(&piece.polygon);
-        let front = ScatteringSide { polygon: front, share: material.diffuse() };
-        // A sheet that lets light through diffusely gathers on both its sides.
-        let behind = Some(material.translucence()).filter(|tau| *tau != Rgb::ZERO);
-        let behind = behind.map(|share| {
-            let polygon = Cow::Owned(piece.polygon.flipped());
-            ScatteringSide { polygon, share }
+        let seen: Vec<Outlook> = strata.map(|h| self.outlook(h)).collect();
+        let rays = allotted(&seen, self.sampling.rays);
+        let seen = seen.par_iter().zip(rays).enumerate();
+        let points = seen.map(|(h, (seen, rays))| {
+            let place = |(k, &place)| self.point([h, k], place, seen, rays);
+            seen.places.iter().enumerate().map(place).collect::<Vec<Point>>()
         });
-        let sides = || [&front].into_iter().chain(&behind);
-        let direct = |side: &ScatteringSide| {
-            side.share * self.direct.on(&side.polygon).irradiance(x)
-        };
-        let direct: Rgb = sides().map(direct).sum();
-        let e = material.emission();
-        let b = self.radiosity(ElementId(piece.element), x, e);
-        // ANCHOR: residual
-        let gather = |set: u64| {
-            let name = [h as u64, k as u64, set];
-            let mut random = Stream::named(self.sampling.seed, &name);
-            let mut found = GatheredLight::default();
-            for side in sides() {
-                self.indirect(side, x, &mut random, &mut found);
-            }
-            found
-        };
-        let [first, second] = [gather(1), gather(2)];
-        let residual = |found: &GatheredLight| e + direct + found.light - b;
-        // ANCHOR_END: residual
-        Point {
-            stratum: h as u32,
-            element: piece.element,
-            residual: [residual(&first), residual(&second)],
-            reflected: b - e,
-            met: [first.met, second.met],
-        }
+        points.flatten_iter().collect()
     }
 
-    /// Light that arrives at `x` on this side, times what the side scatters of it, but for
-    /// what is summed as direct; and from which strata.
-    fn indirect(
+    pub fn material(&self, h: usize) -> &Material {
+        self.strata.material(h, self.scene, self.field.mesh)
+    }
+
+    /// The place `x` of a stratum, on its front or behind.
+    pub fn place(&self, h: usize, x: DVec3, behind: bool) -> GatherPlace {
+        let mesh = self.field.mesh;
+        let piece = &self.strata.pieces[self.strata.members[h].start];
+        let surface = mesh.surface_of(&mesh.elements[piece.element as usize]);
+        let side = &self.scene.surfaces[surface as usize];
+        let (surface, towards) = match behind {
+            true => (side.back.unwrap_or(surface), -1.0),
+            false => (surface, 1.0),
+        };
+        let frame = Frame::about(towards * side.polygon.normal());
+        GatherPlace { x, surface, frame }
+    }
+
+    fn point(
         &self,
-        side: &ScatteringSide,
-        x: DVec3,
+        [h, k]: [usize; 2],
+        place: [f64; 2],
+        seen: &Outlook,
+        rays: usize,
+    ) -> Point {
+        let (piece, x) = self.strata.point_at(h, place);
+        let element = self.strata.pieces[piece as usize].element;
+        let material = self.material(h);
+        let stored = (self.field.irradiance)(ElementId(element), x);
+        let mut sides = [LitSide::default(), LitSide::default()];
+        for (behind, guide) in seen.guides.iter().enumerate() {
+            let place = self.place(h, x, behind == 1);
+            let gather = |set: u64| {
+                let name = [h as u64, k as u64, set, behind as u64];
+                let mut random = Stream::named(self.sampling.seed, &name);
+                let mut met = Vec::new();
+                let aim = Aim { guide, rays };
+                let light = self.gather(&place, aim, &mut random, &mut |_, on| {
+                    met.extend(on.stratum.map(|h| (h, on.share)));
+                });
+                GatheredLight { light, met }
+            };
+            sides[behind] = LitSide {
+                share: [material.diffuse(), material.translucence()][behind],
+                stored: stored[behind],
+                gathered: [gather(1), gather(2)],
+            };
+        }
+        Point { stratum: h as u32, element, sides }
+    }
+
+    /// Light that arrives at a place, W/m², from the field and from all that emits: by rays
+    /// in all directions, and by rays towards the lights. Of what both may find each counts
+    /// the share with which it finds it (Veach & Guibas 1995).
+    ///
+    /// `find` is told what each ray by direction finds, and at which point of the square.
+    // ANCHOR: gather
+    pub fn gather(
+        &self,
+        place: &GatherPlace,
+        aim: Aim,
         random: &mut Stream,
-        found: &mut GatheredLight,
-    ) {
-        let frame = Frame::about(side.polygon.normal());
-        let share = side.share / self.sampling.rays as f64;
-        let directions: Vec<[f64; 2]> = random.points(self.sampling.rays).collect();
-        for [c, d] in directions {
-            let mut ray = ray_from(&side.polygon, &frame, [0.0, 0.0, c, d]);
-            ray.origin = x;
-            self.rays.follow((ray, None), random, &mut |arrival| {
-                self.arrive(arrival, share, found);
+        find: &mut dyn FnMut(DVec2, &Arriving),
+    ) -> Rgb {
+        let lights = self.lights.from(place.x, place.frame.z);
+        let mut sum = Rgb::ZERO;
+        let count = aim.towards(&lights);
+        let (rays, towards) = (aim.rays as f64, count as f64);
+        let all: Vec<[f64; 2]> = random.points(aim.rays).collect();
+        for even in all {
+            let at = aim.guide.draw(even);
+            let local = cosine_direction(at);
+            let by_direction = rays * aim.guide.pdf(at, local);
+            let share = local.z / (PI * by_direction);
+            let ray = place.ray(place.frame.world_from_local(local));
+            self.rays.follow(ray, random, &mut |arrival| {
+                let densities = [by_direction, towards];
+                if let Some(on) = self.arrive(arrival, share, &lights, densities) {
+                    sum += on.bright + on.reflected;
+                    find(at, &on);
+                }
             });
         }
+        if lights.is_dark() {
+            return sum;
+        }
+        for choice in random.points::<3>(count) {
+            let Some(drawn) = lights.draw(choice) else { continue };
+            let local = place.frame.local_from_world(drawn.direction);
+            if local.z <= 0.0 {
+                continue;
+            }
+            let by_direction = rays * aim.guide.pdf(square_of(local), local);
+            let clear = self.rays.clear(place.ray(drawn.direction), drawn.surface);
+            let density = towards * drawn.pdf + by_direction;
+            sum += clear * drawn.radiance * local.z / density;
+        }
+        sum
     }
+    // ANCHOR_END: gather
 
-    /// Adds what leaves where a ray has arrived, but for what is summed as direct.
-    fn arrive(&self, arrival: &Arrival, share: Rgb, found: &mut GatheredLight) {
-        let Arrival { met, weight, chain } = arrival;
+    /// What comes from where a ray has arrived; `densities`: of rays by direction, and how
+    /// many go towards lights.
+    fn arrive(
+        &self,
+        arrival: &Arrival,
+        share: f64,
+        lights: &FromHere,
+        [by_direction, towards]: [f64; 2],
+    ) -> Option<Arriving> {
+        let Arrival { met, weight, chain, .. } = arrival;
         let share = share * weight;
+        // Only what is seen straight, or through panes, may be drawn as a light.
+        let straight = chain.bounces == 0 && !chain.bent;
+        let counts = |pdf: f64| match straight {
+            true => by_direction / (by_direction + towards * pdf),
+            false => 1.0,
+        };
         match *met {
             Met::Surface { surface, point, front: true } => {
                 let outline = |k: u32| &self.strata.pieces[k as usize].polygon;
-                let Some(piece) = self.locator.piece(surface, point, outline) else {
-                    return;
-                };
-                let emission = self.material(piece).emission();
-                let summed =
-                    if self.direct.follows(chain) { emission } else { Rgb::ZERO };
-                // Of a black surface the truth is known.
+                let piece = self.locator.piece(surface, point, outline)?;
                 let h = self.strata.of_piece[piece as usize];
                 let element = ElementId(self.strata.pieces[piece as usize].element);
-                let light = if h == NONE {
-                    emission
-                } else {
-                    self.radiosity(element, point, emission)
+                let material = self.material(h as usize);
+                let [front, behind] = (self.field.irradiance)(element, point);
+                let reflected = material.radiosity(front, behind) - material.emission();
+                let bright = match material.emits() {
+                    true => {
+                        counts(lights.pdf_of_lamp(surface, point)) * material.emission()
+                    }
+                    false => Rgb::ZERO,
                 };
-                found.light += share * (light - summed);
-                if h != NONE {
-                    found.met.push((h, share));
-                }
+                Some(Arriving {
+                    share,
+                    bright: share * bright,
+                    reflected: share * reflected,
+                    stratum: Some(h),
+                })
             }
             Met::Sky(direction) => {
-                found.light += share * PI * self.direct.other_sky(direction, chain);
+                let sky = self.lights.sky()?;
+                let counts = counts(lights.pdf_of_sky(direction));
+                let bright = share * counts * PI * sky.radiance(direction);
+                Some(Arriving { share, bright, reflected: Rgb::ZERO, stratum: None })
             }
-            _ => {}
+            _ => None,
         }
     }
+}
+
+/// What comes along a ray from where it has arrived, W/m² of `H`.
+pub(super) struct Arriving {
+    /// What `B` there counts here.
+    pub share: Rgb,
+    /// Of a lamp's own light and the sky's, as far as rays by direction count it.
+    pub bright: Rgb,
+    pub reflected: Rgb,
+    pub stratum: Option<u32>,
 }

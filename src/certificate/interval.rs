@@ -6,8 +6,13 @@ use super::strata::Strata;
 use crate::geometry::Rgb;
 use crate::mesh::Mesh;
 
-/// So many standard errors to either side.
-const QUANTILE: f64 = 2.5;
+/// How sure the bounds are.
+pub(super) const CONFIDENCE: f64 = 0.95;
+
+/// So many standard errors to either side: normal numbers are above with a chance of 0.0028,
+/// an eighteenth of what [`CONFIDENCE`] leaves. For whoever refines until a bound suffices
+/// looks up to eighteen times, and the chance to be deceived once is at most the sum.
+const QUANTILE: f64 = 2.77;
 
 /// The share of the error's variation within strata that may reach others: as far as the
 /// light from a stratum depends on where on it the error lies.
@@ -23,7 +28,7 @@ pub(super) struct Norm {
 
 impl Norm {
     /// The norm whose square the products `squares`, one at each point, average to, in
-    /// channel `c`.
+    /// channel `c`; `noise` is `‖K δ‖²`.
     ///
     /// ```text
     /// ‖e‖² = Σ_h A_h mean_h(e₁ e₂) − ‖K δ‖²
@@ -34,7 +39,7 @@ impl Norm {
         strata: &Strata,
         points: &[Point],
         squares: &[Rgb],
-        means: &Means,
+        noise: Rgb,
         c: usize,
     ) -> Norm {
         let (mut sum, mut variance) = (0.0, 0.0);
@@ -50,7 +55,7 @@ impl Norm {
             variance += area * area * off / ((n - 1.0) * n);
         }
         // ANCHOR: interval
-        let noise = means.noise[c];
+        let noise = noise[c];
         sum = (sum - noise).max(0.0);
         variance += noise * (4.0 * sum + 2.0 * noise);
         let width = QUANTILE * variance.sqrt();
@@ -59,8 +64,8 @@ impl Norm {
         // ANCHOR_END: interval
     }
 
-    /// The bounds moved apart by what the noise does not tell: that of the norm of the
-    /// error.
+    /// By how much the bounds of this norm of an error are to be moved apart, for what the
+    /// noise does not tell.
     pub fn doubt(&self, means: &Means, c: usize) -> f64 {
         let within = (self.likely.powi(2) - means.squared[c]).max(0.0).sqrt();
         means.missing[c] + UNEVEN * means.reflectance[c] * within

@@ -138,7 +138,7 @@ impl Explain {
             "stages": stages,
             "converged": solution.converged,
             "error": solution.certificate.error,
-            "high": solution.certificate.high,
+            "high": solution.certificate.worst(),
         });
         Ok((text, spent))
     }

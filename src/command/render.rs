@@ -7,7 +7,7 @@ use super::solve::{FactorMethod, How, SolverMethod, Way};
 use super::told::Told;
 use super::values::{self, Size};
 use clap::{Args, ValueEnum};
-use radiosity::certificate::{Judged, Sampling, audit};
+use radiosity::certificate::{Judged, Sampling, audit, irradiance_of};
 use radiosity::film::{FalseColour, Format, Picture, Shot, png};
 use radiosity::geometry::Rgb;
 use radiosity::glam::DVec3;
@@ -294,10 +294,10 @@ impl Render {
         };
         let usual = Sampling { seed: shown.seed, ..Sampling::default() };
         let points = usual.points.max(POINTS_ON_AN_ELEMENT * mesh.elements.len());
-        let judged = Judged { mesh, radiosity: &seen };
+        let irradiance = irradiance_of(room.scene, mesh, seen);
+        let judged = Judged { mesh, irradiance: &irradiance };
         let sampling = Sampling { points, ..usual };
-        let (visibility, lamps) = (room.visibility(), room.lamps());
-        let found = audit(room.scene, visibility, lamps, &judged, sampling);
+        let found = audit(room.scene, room.visibility(), &judged, sampling);
         let errors: Vec<Rgb> = found.error.iter().map(|e| Rgb::splat(e * PI)).collect();
         shown.shot.flat(mesh, &errors)
     }

@@ -91,18 +91,31 @@ fn number(x: f64) -> String {
 }
 
 fn certificate(certificate: &Certificate) -> String {
-    let Certificate { error, low, high, confidence } = *certificate;
-    let most = match high.is_finite() {
+    let Certificate { error, low, high, confidence, irradiance, .. } = *certificate;
+    let most = |high: f64| match high.is_finite() {
         true => format!("at most {}", percent(high)),
         false => "an upper bound cannot be given".into(),
     };
-    format!(
-        "the field is off by about {} of the reflected light: at least {}, {most} \
-         ({confidence:.0} % sure)\n",
+    let mut text = format!(
+        "the field is off by about {} of the reflected light: at least {}, {} \
+         ({confidence:.0} % sure)\n\
+         and by about {} of the light that arrives: at least {}, {}\n",
         percent(error),
         percent(low),
+        most(high),
+        percent(irradiance.error),
+        percent(irradiance.low),
+        most(irradiance.high),
         confidence = 100.0 * confidence,
-    )
+    );
+    if certificate.unseen > certificate.reflected {
+        text += &format!(
+            "of what the lamps and the sky send, up to {} may go where no ray has found it: \
+             more than is seen reflected\n",
+            percent(certificate.unseen)
+        );
+    }
+    text
 }
 
 /// `0.0314` as `3.1 %`.

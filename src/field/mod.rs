@@ -185,10 +185,15 @@ impl Field {
         self.mesh.elements.iter().enumerate().map(of).collect()
     }
 
+    /// `H`, W/m², of all sources at each vertex: on the fronts, and behind them.
+    pub fn vertex_irradiance(&self) -> [Vec<Rgb>; 2] {
+        let front = self.sum(|lit| &lit.front.of_vertices);
+        [front, self.sum(|lit| &lit.behind.of_vertices)]
+    }
+
     /// `B`, W/m², at each vertex: what smooth shading shows, and is certified.
     pub fn vertex_radiosity(&self, scene: &Scene) -> Vec<Rgb> {
-        let front = self.sum(|lit| &lit.front.of_vertices);
-        let behind = self.sum(|lit| &lit.behind.of_vertices);
+        let [front, behind] = self.vertex_irradiance();
         let mut radiosity = vec![Rgb::ZERO; self.mesh.vertices.len()];
         for element in &self.mesh.elements {
             let material = self.mesh.material(scene, element);
@@ -210,8 +215,8 @@ impl Field {
         sum
     }
 
-    /// `B`, W/m², at a point of an element, from [`Field::vertex_radiosity`].
-    pub fn radiosity_at(&self, id: ElementId, x: DVec3, of_vertices: &[Rgb]) -> Rgb {
+    /// What is linear across an element at a point of it, from its values at the vertices.
+    pub fn at(&self, id: ElementId, x: DVec3, of_vertices: &[Rgb]) -> Rgb {
         self.mesh.value_at(self.mesh.element(id), x, of_vertices)
     }
 }

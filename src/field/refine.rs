@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! ∫ (H − H̃)² dA ≈ A (4/9 δ_centre² + 1/9 Σ_edges δ_edge²)       Simpson; δ = 0 at corners
-//! error² = Σ_elements ρ² ∫ (H − H̃)² dA / ‖B − E‖²               what is to be small
+//! error² = Σ_elements c² ∫ (H − H̃)² dA,   c = max(ρ/‖B − E‖, 1/‖H‖)     what is to be small
 //! ```
 //! An element is asked at its centre and in the middle of its edges, where its parts would
 //! have their corners: there the interpolation `H̃` is held against the light itself. The
@@ -42,19 +42,40 @@ pub(super) enum Asked {
 pub(super) struct Refinement<'a> {
     pub scene: &'a Scene,
     pub light: LightAt<'a>,
-    /// `ρ` of an element.
-    pub reflectance: &'a (dyn Fn(&Element) -> Rgb + Sync),
+    /// What an error in `H` of an element counts, in m²/W per root of an area.
+    pub counts: &'a (dyn Fn(&Element) -> Rgb + Sync),
     pub ask: Asked,
     /// Places in an element next to small lamps, where light may peak; and over what area.
     pub near_lamps: NearLamps<'a>,
     /// Corners at the rim of a surface are asked this share of an element inside it.
     pub inside: f64,
-    /// `‖B − E‖²`, per channel; a channel with 0 does not count.
-    pub scale: Rgb,
     /// The error asked for, relative.
     pub target: f64,
     /// The most elements.
     pub most: usize,
+}
+
+/// The light that an error is held against.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LightScale {
+    /// `‖B − E‖²`, per channel.
+    pub reflected: Rgb,
+    /// `‖H‖²`.
+    pub arriving: Rgb,
+}
+
+impl LightScale {
+    /// `c` of a surface that scatters this: its error matters by what it sends on, and, were
+    /// it black, by what arrives. A channel without light does not count.
+    pub fn counts(&self, scattered: Rgb) -> Rgb {
+        let of = |k: usize| {
+            let seen = scattered[k] / self.reflected[k].sqrt();
+            let arrives = 1.0 / self.arriving[k].sqrt();
+            let finite = |c: f64| if c.is_finite() { c } else { 0.0 };
+            finite(seen).max(finite(arrives))
+        };
+        Rgb::new(of(0), of(1), of(2))
+    }
 }
 
 /// Splitting what makes up most of the error should take away much of it. When what is left
@@ -177,17 +198,17 @@ impl Refinement<'_> {
         mesh.anchor(light);
     }
 
-    /// The square of the error of one element, relative to the scale; worst channel.
+    /// The square of the error of one element, as it counts; worst channel.
     fn error(&self, mesh: &Mesh, element: &Element, light: &[Rgb]) -> f64 {
-        let rho = (self.reflectance)(element);
-        if rho == Rgb::ZERO {
+        let counts = (self.counts)(element);
+        if counts == Rgb::ZERO {
             return 0.0;
         }
         let polygon = &element.polygon;
         let (centre, v) = (polygon.centroid(), polygon.vertices());
         let off = |at: DVec3| {
             let there = (self.light)(element, at.lerp(centre, self.inside));
-            let off = rho * (there - mesh.value_at(element, at, light));
+            let off = counts * (there - mesh.value_at(element, at, light));
             off * off
         };
         // ANCHOR: simpson
@@ -204,7 +225,7 @@ impl Refinement<'_> {
         let near_lamps = (self.near_lamps)(element).into_iter();
         let near_lamps =
             near_lamps.map(|(at, area)| area.min(polygon.area()) * off(at));
-        let share = (polygon.area() * squares + near_lamps.sum::<Rgb>()) / self.scale;
+        let share = polygon.area() * squares + near_lamps.sum::<Rgb>();
         share.to_array().into_iter().filter(|s| s.is_finite()).fold(0.0, f64::max)
     }
 }

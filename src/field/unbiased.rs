@@ -113,7 +113,7 @@ impl Walker<'_> {
         ray.origin = x;
         let (mut light, mut places) = (Rgb::ZERO, Vec::new());
         self.rays.follow((ray, Some(surface)), random, &mut |arrival| {
-            let Arrival { met, weight, chain } = arrival;
+            let Arrival { met, weight, chain, .. } = arrival;
             match *met {
                 Met::Surface { surface, point, front: true, .. } => {
                     let side = &self.scene.surfaces[surface as usize];

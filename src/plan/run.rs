@@ -52,7 +52,7 @@ impl Plan {
                 attempt.patches,
                 attempt.elements,
                 attempt.rows,
-                100.0 * attempt.certificate.high
+                100.0 * attempt.certificate.worst()
             ));
         }
         Ok(Planned { solution, decisions })

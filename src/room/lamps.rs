@@ -11,7 +11,7 @@
 
 use crate::geometry::{Polygon, Rgb};
 use crate::occlusion::joined_tiles;
-use crate::random::Stream;
+use crate::random::{Shares, Stream};
 use crate::scene::Scene;
 use glam::{DAffine3, DVec3};
 use std::collections::HashMap;
@@ -84,8 +84,8 @@ pub struct Lamps {
     all: Vec<Lamp>,
     /// For each surface the lamp that it is (part of).
     of_surface: Vec<Option<u32>>,
-    /// The chance of a lamp or one before it, by power; the last has 1.
-    so_far: Vec<f64>,
+    /// By power.
+    shares: Shares,
 }
 
 impl Lamps {
@@ -115,15 +115,7 @@ impl Lamps {
                 (sphere(&outline), emission(emitting[tiles[0]]));
             lamps.all.push(Lamp { outline, emission, middle, radius });
         }
-        let all: f64 = lamps.all.iter().map(Lamp::power).sum();
-        let mut sum = 0.0;
-        for lamp in &lamps.all {
-            sum += lamp.power() / all;
-            lamps.so_far.push(sum);
-        }
-        if let Some(last) = lamps.so_far.last_mut() {
-            *last = 1.0; // whatever rounding left
-        }
+        lamps.shares = Shares::of(lamps.all.iter().map(Lamp::power));
         lamps
     }
 
@@ -139,14 +131,12 @@ impl Lamps {
 
     /// A lamp by its share of all power, from a number in `[0, 1)`.
     pub fn by_power(&self, choice: f64) -> Option<u32> {
-        let k = self.so_far.partition_point(|&so_far| so_far <= choice);
-        (k < self.all.len()).then_some(k as u32)
+        (!self.shares.is_empty()).then(|| self.shares.pick(choice).0 as u32)
     }
 
     /// The chance of [`Lamps::by_power`] to choose it.
     pub fn chance(&self, lamp: u32) -> f64 {
-        let k = lamp as usize;
-        self.so_far[k] - if k > 0 { self.so_far[k - 1] } else { 0.0 }
+        self.shares.share(lamp as usize)
     }
 }
 

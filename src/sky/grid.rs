@@ -4,6 +4,7 @@
 //! In the sky's own axes: x right, y up, z back. Rows go from the pole down, columns
 //! from the seam behind, around by the left, the front (`−z`) and the right.
 
+use crate::random::Shares;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -65,35 +66,9 @@ pub(super) struct Draws {
     brightness: Vec<f64>,
     /// Sum of brightness × solid angle.
     total: f64,
-    /// Share of all rows up to the end of each.
-    rows: Vec<f64>,
-    /// For each row, share of its cells up to the end of each.
-    columns: Vec<f64>,
-}
-
-/// Each entry is the share of all up to it; even shares where all are 0.
-fn cumulative(weights: &mut [f64]) -> f64 {
-    let mut sum = 0.0;
-    for weight in &mut *weights {
-        sum += *weight;
-        *weight = sum;
-    }
-    let n = weights.len() as f64;
-    for (k, share) in weights.iter_mut().enumerate() {
-        *share = if sum > 0.0 { *share / sum } else { (k + 1) as f64 / n };
-    }
-    sum
-}
-
-/// Rounding must not carry a draw over the edge of its cell, where the density is
-/// another.
-const INSIDE: f64 = 1e-9;
-
-/// Where `u` falls among cumulative shares, and how far into that share it is.
-fn pick(shares: &[f64], u: f64) -> (usize, f64) {
-    let k = shares.partition_point(|&share| share <= u).min(shares.len() - 1);
-    let before = if k == 0 { 0.0 } else { shares[k - 1] };
-    (k, ((u - before) / (shares[k] - before)).clamp(INSIDE, 1.0 - INSIDE))
+    rows: Shares,
+    /// For each row, its cells.
+    columns: Vec<Shares>,
 }
 
 impl Draws {
@@ -103,21 +78,22 @@ impl Draws {
         if brightness.iter().all(|&b| b == 0.0) {
             brightness.fill(1.0);
         }
-        let mut columns = brightness.clone();
-        let mut rows = Vec::with_capacity(grid.height);
-        for (row, cells) in columns.chunks_mut(grid.width).enumerate() {
-            rows.push(cumulative(cells) * grid.solid_angle(row));
-        }
-        let total = cumulative(&mut rows);
+        let cells = brightness.chunks(grid.width);
+        let columns =
+            cells.clone().map(|row| Shares::of(row.iter().copied())).collect();
+        let power = |(row, cells): (usize, &[f64])| {
+            cells.iter().sum::<f64>() * grid.solid_angle(row)
+        };
+        let power: Vec<f64> = cells.enumerate().map(power).collect();
+        let (total, rows) = (power.iter().sum(), Shares::of(power));
         Draws { grid, brightness, total, rows, columns }
     }
 
     // ANCHOR: sample
     /// A direction within the cell drawn; all of the cell is equally likely.
     pub fn sample(&self, u: DVec2) -> DVec3 {
-        let Grid { width, .. } = self.grid;
-        let (row, down) = pick(&self.rows, u.x);
-        let (column, along) = pick(&self.columns[row * width..][..width], u.y);
+        let (row, down) = self.rows.pick(u.x);
+        let (column, along) = self.columns[row].pick(u.y);
         let [top, low] = [row, row + 1].map(|edge| self.grid.polar(edge as f64).cos());
         let cos = top + (low - top) * down; // not the angle: the cell widens downward
         let sin = (1.0 - cos * cos).max(0.0).sqrt();

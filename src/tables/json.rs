@@ -1,7 +1,7 @@
 //! A solution as JSON.
 
 use super::faces;
-use crate::certificate::Certificate;
+use crate::certificate::{Certificate, RelativeError};
 use crate::geometry::Rgb;
 use crate::scene::{Scene, Side};
 use crate::solution::Solution;
@@ -43,11 +43,19 @@ fn entries(
     plan: &[String],
     tolerance: f64,
 ) -> Vec<(&'static str, String)> {
-    let Certificate { error, low, high, confidence } = solution.certificate;
+    let Certificate { error, low, high, confidence, irradiance, unseen, .. } =
+        solution.certificate;
     let Ledger { emitted, absorbed, escaped, unshot, imbalance } =
         solution.field.ledger;
-    let certificate =
-        [("error", error), ("low", low), ("high", high), ("confidence", confidence)];
+    let bounds = |[error, low, high]: [f64; 3]| {
+        [("error", error), ("low", low), ("high", high)]
+            .map(|(key, x)| (key, number(x)))
+    };
+    let RelativeError { error: of_h, low: h_low, high: h_high } = irradiance;
+    let mut certificate = bounds([error, low, high]).to_vec();
+    certificate.push(("confidence", number(confidence)));
+    certificate.push(("irradiance", object(&bounds([of_h, h_low, h_high]))));
+    certificate.push(("unseen", number(unseen)));
     let ledger = [
         ("emitted", emitted),
         ("absorbed", absorbed),
@@ -61,7 +69,7 @@ fn entries(
         ("tolerance", number(tolerance)),
         ("converged", solution.converged.to_string()),
         ("solver_residual", number(solution.field.solver_residual)),
-        ("certificate", object(&certificate.map(|(key, x)| (key, number(x))))),
+        ("certificate", object(&certificate)),
         ("ledger", object(&ledger.map(|(key, c)| (key, triple(c))))),
         ("plan", array(plan.iter().map(|line| string(line)))),
     ]

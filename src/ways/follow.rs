@@ -11,7 +11,7 @@
 //! Where a branch is dropped, the other counts for it: both [`Branching`]s are right on
 //! average. Only what is left after [`MOST_BOUNCES`] is cut off, and told.
 
-use super::{Event, Media, Meeting, Solids, choose, ways};
+use super::{Event, Media, Meeting, Solids, choose, straight, ways};
 use crate::geometry::{Frame, Ray, Rgb};
 use crate::material::Lobe;
 use crate::random::Stream;
@@ -69,6 +69,8 @@ pub struct Arrival {
     pub weight: Rgb,
     /// On which way.
     pub chain: Chain,
+    /// In which direction it came here, of unit length.
+    pub direction: DVec3,
 }
 
 /// What is done where a ray divides.
@@ -152,10 +154,35 @@ impl<'s> Specular<'s> {
     }
     // ANCHOR_END: follow
 
+    /// What passes straight along a ray, through panes, as far as the front of `target`; of
+    /// the sky where that is none. 0 where something stands between.
+    pub fn clear(
+        &self,
+        (mut ray, mut leaving): (Ray, Option<u32>),
+        target: Option<u32>,
+    ) -> Rgb {
+        let (mut share, mut media) = (Rgb::ONE, Media::default());
+        loop {
+            let Some(hit) = self.visibility.closest(&ray, leaving) else {
+                return if target.is_none() { share } else { Rgb::ZERO };
+            };
+            let met = Meeting::of(self.scene, &self.solids, &ray, &hit);
+            if met.front && Some(met.surface) == target {
+                return share;
+            }
+            let Some((passed, _)) = straight(&met, &mut media) else {
+                return Rgb::ZERO;
+            };
+            share *= passed;
+            (ray.origin, leaving) = (met.point, Some(met.surface));
+        }
+    }
+
     /// The next surface on the way, if the ray is to go on from there.
     fn meet(&self, leg: &Leg, visit: &mut dyn FnMut(&Arrival)) -> Option<Hit> {
         let mut arrive = |met| {
-            visit(&Arrival { met, weight: leg.weight, chain: leg.chain });
+            let Leg { weight, chain, .. } = *leg;
+            visit(&Arrival { met, weight, chain, direction: leg.ray.direction });
         };
         let Some(hit) = self.visibility.closest(&leg.ray, leg.leaving) else {
             arrive(Met::Sky(leg.ray.direction));

@@ -127,3 +127,33 @@ fn a_room_is_made_ready_once() {
         }
     }
 }
+
+/// The judge uses nothing of what it judges: the scene, its rays, the rules where they meet
+/// something, and a mesh to name places.
+#[test]
+fn the_certificate_is_independent() {
+    let may = [
+        "geometry",
+        "material",
+        "mesh",
+        "radiometry",
+        "random",
+        "scene",
+        "sky",
+        "visibility",
+        "ways",
+    ];
+    let files = rust_files("src/certificate");
+    assert!(files.len() >= 8, "{}", files.len());
+    for file in files {
+        for (line, text) in code(&read(&file)) {
+            for (at, _) in text.match_indices("crate::") {
+                let rest = &text[at + "crate::".len()..];
+                let used =
+                    rest.split(|c: char| !c.is_alphanumeric() && c != '_').next();
+                let used = used.unwrap_or_default();
+                assert!(may.contains(&used), "{}:{line} uses {used}", name(&file));
+            }
+        }
+    }
+}

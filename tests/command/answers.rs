@@ -38,8 +38,10 @@ fn solve_answers_other_programs_with_one_object() {
     let certificate = json["certificate"].as_object().unwrap();
     assert_eq!(
         certificate.keys().collect::<Vec<_>>(),
-        ["error", "low", "high", "confidence"]
+        ["error", "low", "high", "confidence", "irradiance", "unseen"]
     );
+    let of_h = certificate["irradiance"].as_object().unwrap();
+    assert_eq!(of_h.keys().collect::<Vec<_>>(), ["error", "low", "high"]);
     let of = |key: &str| certificate[key].as_f64().expect("a number");
     assert!(of("low") <= of("error") && of("error") <= of("high"), "{certificate:?}");
     let ledger = json["ledger"].as_object().unwrap();

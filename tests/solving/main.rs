@@ -10,6 +10,7 @@ mod determinism;
 mod directional;
 mod hierarchy;
 mod ledger;
+mod lies;
 mod many_lamps;
 mod one_loop;
 mod overshoot;

@@ -2,7 +2,7 @@
 
 use super::cube::Cube;
 use crate::chart::{self, Point};
-use radiosity::certificate::{Certificate, Judged, Sampling};
+use radiosity::certificate::{Certificate, Judged, Sampling, irradiance_of};
 use radiosity::room::Room;
 use radiosity::solution::audited;
 use std::fmt::Write;
@@ -34,7 +34,8 @@ pub fn cases(reflectance: f64, cells: &[u32]) -> Vec<Case> {
     let case = |&cells: &u32| {
         let cube = Cube::of(reflectance, cells);
         let field = |id: radiosity::mesh::ElementId, _| cube.radiosity[id];
-        let judged = Judged { mesh: &cube.mesh, radiosity: &field };
+        let irradiance = irradiance_of(&cube.scene, &cube.mesh, field);
+        let judged = Judged { mesh: &cube.mesh, irradiance: &irradiance };
         let room = Room::of(&cube.scene);
         let certificate = audited(&room, &judged, Sampling::default()).certificate;
         let (mut r, mut reflected) = (0.0, 0.0);

@@ -2,7 +2,7 @@
 
 use crate::equation::system::System;
 use crate::map;
-use radiosity::certificate::{Audit, Certificate, Judged, Sampling};
+use radiosity::certificate::{Audit, Certificate, Judged, Sampling, irradiance_of};
 use radiosity::film::{FalseColour, RgbImage, Shot};
 use radiosity::geometry::Rgb;
 use radiosity::glam::DVec3;
@@ -46,7 +46,8 @@ impl Room {
         let field = |id: ElementId, x: DVec3| {
             mesh.value_at(mesh.element(id), x, &self.vertices)
         };
-        let judged = Judged { mesh, radiosity: &field };
+        let irradiance = irradiance_of(scene, mesh, field);
+        let judged = Judged { mesh, irradiance: &irradiance };
         let sampling = Sampling { points, ..Sampling::default() };
         audited(&radiosity::room::Room::of(scene), &judged, sampling)
     }

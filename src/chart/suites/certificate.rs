@@ -8,7 +8,7 @@ use crate::field::{Classical, Factors};
 use crate::mesh::{ElementId, Mesh};
 use crate::room::Room;
 use crate::scene::built_in;
-use crate::solution::{Goal, Solution, solve_on};
+use crate::solution::{Goal, solve_on};
 use glam::DVec3;
 
 /// This suite.
@@ -50,14 +50,16 @@ pub fn audit(edge: f64, points: &[f64], fine: u64, bench: &Bench) -> Vec<Trial> 
         (Classical::by(Factors::Hemicube(128)), crate::work::Work::quiet());
     let solution = solve_on(&room, &method, mesh, &Goal::default(), &quiet);
     let solution = solution.expect("hemicubes know the Cornell box");
-    let Solution { field, vertex_radiosity, .. } = &solution;
-    let at = |id: ElementId, x: DVec3| field.radiosity_at(id, x, vertex_radiosity);
-    let field = Judged { mesh: &field.mesh, radiosity: &at };
+    let field = &solution.field;
+    let [front, behind] = field.vertex_irradiance();
+    let at =
+        |id: ElementId, x: DVec3| [field.at(id, x, &front), field.at(id, x, &behind)];
+    let field = Judged { mesh: &field.mesh, irradiance: &at };
     let ask = |points: f64, rays: usize, seed: u64| {
         let points = points as usize;
         let found = {
-            let sampling = Sampling { points, rays, seed };
-            certify(&scene, room.visibility(), room.lamps(), &field, sampling)
+            let sampling = Sampling { points, rays, seed, ..Sampling::default() };
+            certify(&scene, room.visibility(), &field, sampling)
         };
         // Two gathers at each point, for two independent residuals.
         let rays = 2 * (points * rays) as u64;

@@ -6,7 +6,7 @@
 //! The truth is smooth light that errs by far less than what is told. How far it may be off
 //! itself, its certificate says: that is by rays, and trusts no mesh.
 
-use crate::certificate::{Certificate, Judged, Sampling, certify};
+use crate::certificate::{Certificate, Judged, Sampling, certify, irradiance_of};
 use crate::chart::Verdict;
 use crate::field::{Field, Smooth};
 use crate::geometry::Rgb;
@@ -38,8 +38,9 @@ impl LinearLight {
     /// How wrong it is.
     pub fn certified(&self, room: &Room, sampling: Sampling) -> Certificate {
         let radiosity = |id: ElementId, x: DVec3| self.at(id, x);
-        let field = Judged { mesh: &self.mesh, radiosity: &radiosity };
-        certify(room.scene, room.visibility(), room.lamps(), &field, sampling)
+        let irradiance = irradiance_of(room.scene, &self.mesh, radiosity);
+        let field = Judged { mesh: &self.mesh, irradiance: &irradiance };
+        certify(room.scene, room.visibility(), &field, sampling)
     }
 
     /// `B`, W/m², at a point of an element.
@@ -79,7 +80,8 @@ impl Truth {
     pub fn of(scene: &Scene, error: f64) -> Truth {
         let room = Room::of(scene);
         let light = LinearLight::smooth(scene, Smooth::once(&room, error));
-        let sampling = Sampling { points: 1600, rays: 1024, seed: SEED };
+        let sampling =
+            Sampling { points: 1600, rays: 1024, seed: SEED, ..Default::default() };
         let uncertainty = light.certified(&room, sampling).high;
         let mut places = places(scene);
         let values = values(&places, &light);

@@ -29,7 +29,7 @@ mod patches;
 mod specular;
 mod system;
 
-use super::refine::{Asked, Refinement};
+use super::refine::{Asked, LightScale, Refinement};
 use super::{Cannot, Field, Fineness, Pass1};
 use crate::geometry::Rgb;
 use crate::mesh::{Element, Mesh, TwoLevels};
@@ -128,7 +128,7 @@ fn smooth(room: &Room, how: &Fineness, work: &Work) -> Field {
     let (levels, light) = summed.on(&patches, 2.0 * how.direct, scale);
     let mut system = System::new(room, &levels, &light, how.hemicube);
     let looks = AtomicUsize::new(system.look(how.reflected.is_finite(), progress));
-    let light = reflected_light(scene, &mut system, how, &looks, progress);
+    let light = reflected_light(&summed, scale, &mut system, &looks, progress);
 
     progress("direct light", 1, 2);
     // What reflected light was split into are patches to the direct light.
@@ -170,28 +170,28 @@ impl DirectLight<'_> {
         &self,
         patches: &'m Mesh,
         target: f64,
-        scale: Rgb,
+        scale: LightScale,
     ) -> (TwoLevels<'m>, Vec<Rgb>) {
         let on: Vec<_> =
             patches.elements.par_iter().map(|e| self.direct.on(&e.polygon)).collect();
-        let scattered = scattered(self.scene, patches);
+        let counts = counts(self.scene, patches, scale);
         Refinement {
             scene: self.scene,
             light: &|e, at| on[e.patch].irradiance(at),
-            reflectance: &|e| scattered[e.patch],
+            counts: &|e| counts[e.patch],
             ask: Asked::All,
             near_lamps: &|e| self.direct.near_lamps(&e.polygon),
             inside: JUST_INSIDE,
-            scale,
             target,
             most: self.how.most_elements,
         }
         .run(patches)
     }
 
-    /// `‖ρ H_direct‖²` by the centres of the patches, and by the spots next to lamps.
-    fn scale(&self, patches: &Mesh) -> Rgb {
-        let reflected = |(e, scattered): (&Element, Rgb)| {
+    /// `‖H_direct‖²` and `‖ρ H_direct‖²` by the centres of the patches, and by the spots next
+    /// to lamps.
+    fn scale(&self, patches: &Mesh) -> LightScale {
+        let squares = |e: &Element| {
             let light = self.direct.on(&e.polygon);
             let centre = e.polygon.centroid();
             let all = (centre, e.polygon.area());
@@ -199,19 +199,24 @@ impl DirectLight<'_> {
             let squares = places.map(|(at, area)| {
                 area * light.irradiance(at.lerp(centre, JUST_INSIDE)).powf(2.0)
             });
-            scattered.powf(2.0) * squares.sum::<Rgb>()
+            squares.sum::<Rgb>()
         };
         // In order, so that the sum is the same at any number of threads.
+        let squares: Vec<Rgb> = patches.elements.par_iter().map(squares).collect();
         let scattered = scattered(self.scene, patches);
-        let pieces = patches.elements.par_iter().zip(scattered);
-        let squares: Vec<Rgb> = pieces.map(reflected).collect();
-        squares.into_iter().sum()
+        let reflected = scattered.iter().zip(&squares).map(|(s, h)| s * s * h).sum();
+        LightScale { reflected, arriving: squares.into_iter().sum() }
     }
 }
 
 /// What each of these patches scatters diffusely, to either side.
 fn scattered(scene: &Scene, patches: &Mesh) -> Vec<Rgb> {
     patches.elements.iter().map(|e| patches.material(scene, e).scattered()).collect()
+}
+
+/// What an error in `H` of each of these patches counts.
+fn counts(scene: &Scene, patches: &Mesh, scale: LightScale) -> Vec<Rgb> {
+    scattered(scene, patches).into_iter().map(|s| scale.counts(s)).collect()
 }
 
 /// Reflected light, in `H`, W/m².
@@ -222,25 +227,32 @@ struct Reflected<'a> {
     levels: TwoLevels<'a>,
     /// At the vertices of their elements.
     on_elements: Vec<Rgb>,
-    /// `‖B − E‖²`.
-    scale: Rgb,
+    scale: LightScale,
     residual: f64,
     rounds: usize,
+}
+
+/// `∫ H² dA` of light that is linear between vertices, by the means of the elements.
+fn square(mesh: &Mesh, of_vertices: &[Rgb]) -> Rgb {
+    let means = mesh.element_means(of_vertices);
+    mesh.polygons().zip(means).map(|(p, h)| p.area() * h * h).sum()
 }
 
 /// Solves for the light at the corners of the patches, splits them where it bends, and
 /// corrects by that what they send.
 fn reflected_light<'a>(
-    scene: &Scene,
+    summed: &DirectLight,
+    direct: LightScale,
     system: &mut System<'a>,
-    how: &Fineness,
     looks: &AtomicUsize,
     progress: Progress,
 ) -> Reflected<'a> {
-    let patches = system.mesh();
+    let (scene, how, patches) = (summed.scene, summed.how, system.mesh());
     let dark = vec![Rgb::ZERO; patches.vertices.len()];
     let (before, residual, rounds) = system.solve(how.solver, &dark, progress);
-    let scale = system.reflected_light(&before);
+    let reflected = system.reflected_light(&before);
+    let arriving = direct.arriving + square(patches, &before);
+    let scale = LightScale { reflected, arriving };
     progress("reflected light", 0, 1);
     if how.reflected.is_infinite() {
         let (levels, on_elements) = (TwoLevels::undivided(patches), before.clone());
@@ -254,18 +266,17 @@ fn reflected_light<'a>(
         };
     }
     let shone = system.reflected_slopes(&before);
-    let scattered = scattered(scene, patches);
+    let counts = counts(scene, patches, scale);
     let finer = Refinement {
         scene,
         light: &|e, at| {
             looks.fetch_add(1, Ordering::Relaxed);
             system.seen_from(at, e.polygon.normal()).irradiance(&shone)
         },
-        reflectance: &|e| scattered[e.patch],
+        counts: &|e| counts[e.patch],
         ask: Asked::Centre,
         near_lamps: &|_| Vec::new(),
         inside: INSIDE,
-        scale,
         target: how.reflected,
         most: how.most_elements.min(MOST_SPLIT * patches.elements.len()),
     };

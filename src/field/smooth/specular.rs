@@ -146,7 +146,7 @@ impl<'a> SpecularTransport<'a> {
         first: &FirstBounce,
         seen: &mut SpecularView,
     ) {
-        let &Arrival { met, weight, chain } = arrival;
+        let &Arrival { met, weight, chain, .. } = arrival;
         let weight = weight / self.density;
         let straight = chain == Chain::default();
         if !straight {

@@ -1,8 +1,8 @@
 //! How much work it will be, counted, and in seconds of one processor.
 //!
 //! ```text
-//! hemicubes = corners + patches (1 + 1.5 (0.01/ε)^¾)       ε asked for
-//! elements  = patches (1 + (2 + 12 s) √(0.01/ε))           s: share with hidden lamps
+//! hemicubes = corners + patches (1 + 3 (0.01/ε)^¾)         ε asked for
+//! elements  = patches (1 + (3 + 16 s) √(0.01/ε))           s: share with hidden lamps
 //! seconds   = hemicubes (50 µs + 0.16 µs patches) + 10 µs elements + 0.4 s
 //! ```
 //! With nothing in the way, `hemicubes = corners + patches` and `elements = patches`. The
@@ -55,10 +55,10 @@ impl Predicted {
         let finer = 0.01 / tolerance;
         let in_the_way = (survey.blockers > 0) as u8 as f64;
         let bounces = how.reflected.is_finite();
-        let split = 1.0 + 1.5 * in_the_way * finer.powf(0.75);
+        let split = 1.0 + 3.0 * in_the_way * finer.powf(0.75);
         let looks = pieces.corners as f64 + patches * split;
         let hemicubes = if bounces { looks } else { 0.0 };
-        let bends = in_the_way * (2.0 + 12.0 * pieces.shadowed);
+        let bends = in_the_way * (3.0 + 16.0 * pieces.shadowed);
         let elements = patches * (1.0 + bends * finer.sqrt());
         let elements = elements.min(how.most_elements as f64);
         Predicted {

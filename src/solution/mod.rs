@@ -287,6 +287,7 @@ fn certified(room: &Room, field: &Field, goal: &Goal, work: &Work) -> Certificat
 /// ```text
 /// |∫ (H* − H) dA| ≤ √A ‖H* − H‖ ≤ √A · high · ‖H*‖          Cauchy and Schwarz
 /// ```
+/// What escapes arrives, too: on what is around, evenly.
 fn books_close(field: &Field, irradiance: &[Rgb], certificate: &Certificate) -> bool {
     let elements = field.mesh.elements.iter().zip(irradiance);
     let (mut area, mut squares) = (0.0, Rgb::ZERO);
@@ -295,8 +296,9 @@ fn books_close(field: &Field, irradiance: &[Rgb], certificate: &Certificate) -> 
         squares += element.polygon.area() * h * h;
     }
     let high = certificate.irradiance.high.max(certificate.high);
-    let most = high * (area * squares).map(f64::sqrt) * (1.0 + high);
     let ledger = &field.ledger;
+    let arrives = (area * squares).map(f64::sqrt) * (1.0 + high) + ledger.escaped;
+    let most = high * arrives;
     let [imbalance, unshot] = [ledger.imbalance.abs(), ledger.unshot.abs()];
     ledger.is_finite() && imbalance.cmple(most).all() && unshot.cmple(most).all()
 }

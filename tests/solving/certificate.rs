@@ -246,28 +246,35 @@ fn a_wrong_field_is_not_certified() {
 }
 
 /// To stop at the first interval that suits is to choose among intervals, and of chosen
-/// ones fewer hold than 95 of 100. The first attempt is certified to 1.9 to 2.2 %:
-/// with 2.05 % asked for, chance decides who goes on. Of 28 intervals that miss with 1 in
-/// 20 each, more than 5 miss with a chance of 0.2 %.
+/// ones fewer hold than 95 of 100. The tolerance is what the first attempt is certified to
+/// by the median of other seeds: chance decides who goes on. Of 28 intervals that miss with
+/// 1 in 20 each, more than 5 miss with a chance of 0.2 %.
 #[test]
 fn who_stops_when_it_suffices_is_honest() {
     let scene = lit_cube(0.5);
     let fine = solved(&scene, 0.125);
     let room = Room::of(&scene);
     let first = Smooth.first(&room, 0.05);
+    let found = |tolerance: f64, seed: u64| {
+        let ask = Goal { tolerance, seed, ..Goal::default() };
+        solve_from(&room, &Smooth, first, &ask, &Work::quiet()).unwrap()
+    };
+    let high = |seed| found(0.018, seed).attempts[0].certificate.worst();
+    let mut highs: Vec<f64> = (100..109).map(high).collect();
+    highs.sort_by(f64::total_cmp);
+    println!("{highs:?}");
+    let tolerance = highs[highs.len() / 2];
     let (mut missed, mut broken, mut again) = (0, 0, 0);
     for seed in 0..28 {
-        let ask = Goal { tolerance: 0.0205, seed, ..Goal::default() };
-        let found = solve_from(&room, &Smooth, first, &ask, &Work::quiet()).unwrap();
-        let passes = &found.attempts;
+        let found = found(tolerance, seed);
         let (mesh, light) = (&found.field.mesh, &found.vertex_radiosity);
         let field = |id: ElementId, x| mesh.value_at(mesh.element(id), x, light);
         let truth = Truth::of(&scene, mesh, &fine).error(&field);
         let c = found.certificate;
         assert!(found.converged, "{c:?}");
         missed += u32::from(truth < c.low || truth > c.high);
-        broken += u32::from(truth > ask.tolerance);
-        again += u32::from(passes.len() > 1);
+        broken += u32::from(truth > tolerance);
+        again += u32::from(found.attempts.len() > 1);
     }
     println!("{missed} missed, {broken} promises broken, {again} went on");
     assert!(missed <= 5 && broken <= 5, "{missed} missed, {broken} promises broken");

@@ -175,12 +175,15 @@ fn an_image_in_the_wrong_place() {
 
 #[test]
 fn reflectances_swapped() {
+    // The lamp shines up: what comes down has been at the ceiling.
     let walls = |floor: f64, ceiling: f64| {
-        let mut faces = room(1.0);
+        let mut faces = room(0.0);
+        faces.iter_mut().for_each(|f| f.1 = diffuse(0.0, 0.9));
         (faces[4].1, faces[5].1) = (diffuse(0.0, floor), diffuse(0.0, ceiling));
-        with(faces, [])
+        let lamp = rectangle(dvec3(0.7, 0.7, 0.1), 0.6 * DVec3::X, 0.6 * DVec3::Y);
+        with(faces, [(lamp, diffuse(1.0, 0.0))])
     };
-    caught("swapped", &walls(0.9, 0.1), &walls(0.1, 0.9), 1.0);
+    caught("swapped", &walls(0.1, 0.9), &walls(0.9, 0.1), 1.0);
 }
 
 #[test]

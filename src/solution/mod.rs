@@ -246,8 +246,9 @@ const RAYS: usize = 256;
 /// A larger error may be in more doubt: the square of what noise adds falls with the rays.
 const FEWEST_RAYS: usize = 32;
 
-/// So many times as many are cast when chance is in doubt, and so often it is looked.
-const MORE: usize = 4;
+/// From so many to so many times as many are cast when chance is in doubt, and so often it is
+/// looked.
+const MORE: [f64; 2] = [1.5, 4.0];
 const LOOKS: usize = 3;
 
 /// The points and rays that tell whether an error meets the tolerance.
@@ -273,12 +274,28 @@ fn certified(room: &Room, field: &Field, goal: &Goal, work: &Work) -> Certificat
         if certificate.worst() <= goal.tolerance || !by_chance {
             break;
         }
-        (sampling.rays, sampling.seed) =
-            (MORE * sampling.rays, sampling.seed.wrapping_add(1));
+        sampling.rays =
+            (sampling.rays as f64 * more(&certificate, goal.tolerance)) as usize;
+        sampling.seed = sampling.seed.wrapping_add(1);
         certificate = audited(room, &judged, sampling).certificate;
     }
     work.tell("certifying", LOOKS, LOOKS);
     certificate
+}
+
+/// How many times as many rays will do. What chance adds to the square of an error falls with
+/// the rays where the error is small, and with their root where it is not.
+fn more(certificate: &Certificate, tolerance: f64) -> f64 {
+    let [left, right] = [(certificate.error, certificate.high), {
+        let h = &certificate.irradiance;
+        (h.error, h.high)
+    }]
+    .map(|(error, high)| {
+        let room = (0.9 * tolerance).powi(2) - error * error;
+        let times = (high * high - error * error) / room;
+        if room > 0.0 { times.powf(1.5) } else { f64::INFINITY }
+    });
+    left.max(right).clamp(MORE[0], MORE[1])
 }
 
 /// What is missing in the books, and what was not sent, may be no more than the certified

@@ -283,19 +283,15 @@ fn certified(room: &Room, field: &Field, goal: &Goal, work: &Work) -> Certificat
     certificate
 }
 
-/// How many times as many rays will do. What chance adds to the square of an error falls with
-/// the rays where the error is small, and with their root where it is not.
+/// How many times as many rays will do: what chance adds to the square of an error falls as
+/// they grow.
 fn more(certificate: &Certificate, tolerance: f64) -> f64 {
-    let [left, right] = [(certificate.error, certificate.high), {
-        let h = &certificate.irradiance;
-        (h.error, h.high)
-    }]
-    .map(|(error, high)| {
+    let times = |error: f64, high: f64| {
         let room = (0.9 * tolerance).powi(2) - error * error;
-        let times = (high * high - error * error) / room;
-        if room > 0.0 { times.powf(1.5) } else { f64::INFINITY }
-    });
-    left.max(right).clamp(MORE[0], MORE[1])
+        if room > 0.0 { (high * high - error * error) / room } else { f64::INFINITY }
+    };
+    let Certificate { error, high, irradiance: h, .. } = *certificate;
+    times(error, high).max(times(h.error, h.high)).clamp(MORE[0], MORE[1])
 }
 
 /// What is missing in the books, and what was not sent, may be no more than the certified

@@ -129,7 +129,7 @@ impl Aim<'_> {
     /// by openings, of which nothing is known here.
     fn towards(&self, lights: &FromHere) -> usize {
         let share = if lights.has_lamps() { 2 } else { 8 };
-        (self.rays / share).max(8)
+        (self.rays / share).max(4)
     }
 }
 

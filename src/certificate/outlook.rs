@@ -17,7 +17,8 @@ pub(super) struct Outlook {
     noise: f64,
 }
 
-/// The first look takes this share of the rays that are to follow, but some.
+/// The first look takes as many rays as are to follow, for a guide that few have made is a bad
+/// one; where none is needed it takes this share, but some.
 const SHARE: usize = 4;
 const FEWEST: usize = 8;
 
@@ -35,7 +36,8 @@ impl Gathering<'_> {
         let material = self.material(h);
         let shares = [material.diffuse(), material.translucence()];
         let sides = 1 + usize::from(shares[1] != Rgb::ZERO);
-        let rays = (self.sampling.rays / SHARE).max(FEWEST);
+        let share = if self.is_plain() { SHARE } else { 1 };
+        let rays = (self.sampling.rays / share).max(FEWEST);
         let (mut guides, mut noise) = (Vec::new(), 0.0);
         for (side, share) in shares.into_iter().enumerate().take(sides) {
             let behind = side == 1;

@@ -9,8 +9,8 @@
 //! (1 − 3/N)^N ≈ e^{−3} = 0.05
 //! ```
 
-use super::Judged;
 use super::lights::Lights;
+use super::{Judged, Sampling};
 use crate::geometry::{Frame, Ray, Rgb, bounds};
 use crate::mesh::Locator;
 use crate::radiometry::cosine_direction;
@@ -27,8 +27,8 @@ pub(super) const MISSED: f64 = 3.0;
 const FLIGHT: u64 = 4096;
 const MOST_FLIGHTS: u64 = 256;
 
-/// So many rays at least, to tell where light lands.
-const ENOUGH: f64 = 30_000.0;
+/// So many rays at least for each point, to tell where light lands.
+const ENOUGH: f64 = 20.0;
 
 /// Light is followed so often after it has been scattered.
 const BOUNCES: u32 = 2;
@@ -89,9 +89,10 @@ pub(super) fn ball(scene: &Scene) -> (DVec3, f64) {
 }
 
 impl Source<'_> {
-    /// Sends rays until what they may have missed is no more than `unseen` of what they saw
-    /// reflected, or they are many.
-    pub fn landings(&self, field: &Judged, unseen: f64, seed: u64) -> Landings {
+    /// Sends rays until what they may have missed is no more than the share that is asked for of
+    /// what they saw reflected, or they are many.
+    pub fn landings(&self, field: &Judged, sampling: Sampling) -> Landings {
+        let Sampling { points, unseen, seed, .. } = sampling;
         let (mut powers, of_sky) = self.lights.powers(self.ball.1);
         powers.push(of_sky);
         let mut all = Landings {
@@ -125,7 +126,8 @@ impl Source<'_> {
                     *count += 1;
                 }
             }
-            let enough = all.sent >= ENOUGH && MISSED <= unseen * all.reflected;
+            let enough =
+                all.sent >= ENOUGH * points as f64 && MISSED <= unseen * all.reflected;
             if enough {
                 break;
             }

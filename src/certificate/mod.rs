@@ -213,7 +213,7 @@ pub fn audit(
         scene.surfaces.iter().any(|s| scene.material(s).scattered() != Rgb::ZERO);
     let source =
         Source { scene, rays: &rays, lights: &lights, reflects, ball: ball(scene) };
-    let landings = source.landings(field, sampling.unseen, sampling.seed);
+    let landings = source.landings(field, sampling);
     let strata = Strata::of(mesh, &landings, sampling.points);
     let pieces = strata.pieces.iter();
     let surface = |element: u32| mesh.surface_of(&mesh.elements[element as usize]);

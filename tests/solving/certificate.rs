@@ -13,15 +13,15 @@ use radiosity::mesh::{ElementId, Mesh};
 use radiosity::random::Stream;
 use radiosity::room::Room;
 use radiosity::scene::{Scene, built_in};
-use radiosity::solution::{Goal, audited, solve_from};
+use radiosity::solution::{Goal, Solution, audited, solve_from};
 use radiosity::solve::Enclosure;
 use radiosity::visibility::Visibility;
 use radiosity::work::Work;
 
 /// So many runs each, and no more than 5 % of them may miss. (Where the true confidence
 /// were just 95 %, half of the tests would fail; the intervals are wider than that.)
-const RUNS: u64 = 200;
-const MAY_MISS: usize = 10;
+const RUNS: u64 = 100;
+const MAY_MISS: usize = 5;
 
 /// Little work, so that many runs can be made of it: wide intervals, coarse strata.
 const LITTLE: Sampling = Sampling { points: 160, rays: 12, unseen: 0.1, seed: 0 };
@@ -247,26 +247,27 @@ fn a_wrong_field_is_not_certified() {
 
 /// To stop at the first interval that suits is to choose among intervals, and of chosen
 /// ones fewer hold than 95 of 100. The tolerance is what the first attempt is certified to
-/// by the median of other seeds: chance decides who goes on. Of 28 intervals that miss with
-/// 1 in 20 each, more than 5 miss with a chance of 0.2 %.
+/// by the luckiest of seven other seeds: chance decides who goes on. Of 14 intervals that miss with
+/// 1 in 20 each, more than 3 miss with a chance of 0.4 %.
 #[test]
 fn who_stops_when_it_suffices_is_honest() {
     let scene = lit_cube(0.5);
     let fine = solved(&scene, 0.125);
-    let room = Room::of(&scene);
-    let first = Smooth.first(&room, 0.05);
-    let found = |tolerance: f64, seed: u64| {
+    let (room, work) = (Room::of(&scene), Work::quiet());
+    let first = Smooth.first(&room, 0.1);
+    let certified = |tolerance: f64, seed: u64| {
+        let field = Smooth.field(&room, &first, &work);
         let ask = Goal { tolerance, seed, ..Goal::default() };
-        solve_from(&room, &Smooth, first, &ask, &Work::quiet()).unwrap()
+        Solution::of(&room, field, &ask, &work).certificate
     };
-    let high = |seed| found(0.018, seed).attempts[0].certificate.worst();
-    let mut highs: Vec<f64> = (100..109).map(high).collect();
-    highs.sort_by(f64::total_cmp);
-    println!("{highs:?}");
-    let tolerance = highs[highs.len() / 2];
+    let likely = certified(0.03, 100).error;
+    let high = |seed| certified(1.1 * likely, seed).worst();
+    let tolerance = (101..108).map(high).fold(f64::INFINITY, f64::min);
+    println!("{likely} likely, {tolerance} asked for");
     let (mut missed, mut broken, mut again) = (0, 0, 0);
-    for seed in 0..28 {
-        let found = found(tolerance, seed);
+    for seed in 0..14 {
+        let ask = Goal { tolerance, seed, ..Goal::default() };
+        let found = solve_from(&room, &Smooth, first, &ask, &work).unwrap();
         let (mesh, light) = (&found.field.mesh, &found.vertex_radiosity);
         let field = |id: ElementId, x| mesh.value_at(mesh.element(id), x, light);
         let truth = Truth::of(&scene, mesh, &fine).error(&field);
@@ -277,8 +278,8 @@ fn who_stops_when_it_suffices_is_honest() {
         again += u32::from(found.attempts.len() > 1);
     }
     println!("{missed} missed, {broken} promises broken, {again} went on");
-    assert!(missed <= 5 && broken <= 5, "{missed} missed, {broken} promises broken");
-    assert!((4..=24).contains(&again), "{again} went on: not left to chance");
+    assert!(missed <= 3 && broken <= 3, "{missed} missed, {broken} promises broken");
+    assert!((2..=12).contains(&again), "{again} went on: not left to chance");
 }
 
 /// A field that is right but for one element: both maps show which.

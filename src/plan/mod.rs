@@ -134,7 +134,7 @@ impl Plan {
         // ANCHOR_END: way
         let pieces = Pieces::of(room, first.patch, Goal::default().most_patches);
         let predicted = match &way {
-            PlannedWay::Everywhere(_) => Predicted::nothing(scene),
+            PlannedWay::Everywhere(_) => Predicted::nothing(scene, tolerance),
             PlannedWay::Smooth(how) => Predicted::of(&survey, &pieces, how, tolerance),
         };
         let decisions = words::decisions(&survey, &pieces, &way, &predicted, tolerance);

@@ -3,15 +3,17 @@
 //! ```text
 //! hemicubes = corners + patches (1 + 3 (0.01/ε)^¾)         ε asked for
 //! elements  = patches (1 + (3 + 16 s) √(0.01/ε))           s: share with hidden lamps
-//! seconds   = hemicubes (50 µs + 0.16 µs patches) + 10 µs elements + 0.4 s
+//! seconds   = hemicubes (50 µs + 0.16 µs patches) + 10 µs elements + 0.15 s + 9.5 ms rays
 //! ```
 //! With nothing in the way, `hemicubes = corners + patches` and `elements = patches`. The
 //! powers are near those by which light that bends is split. The factors were fitted to the
-//! built-in scenes, and the seconds to one machine. They decide nothing.
+//! built-in scenes, and the seconds to one machine; `rays` are those of a gather of the
+//! certificate, which looks once. They decide nothing.
 
 use super::{Pieces, Survey};
 use crate::field::Fineness;
 use crate::scene::Scene;
+use crate::solution::sampling_for;
 
 /// Predicted work.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,19 +30,24 @@ pub struct Predicted {
     pub seconds: f64,
 }
 
-/// Seconds that a certificate takes.
-const CERTIFICATE: f64 = 0.4;
+/// Seconds that a certificate takes for each ray of its gathers, and besides.
+const PER_RAY: f64 = 9.5e-3;
+const BESIDES: f64 = 0.15;
+
+fn certificate(tolerance: f64) -> f64 {
+    BESIDES + PER_RAY * sampling_for(tolerance).rays as f64
+}
 
 impl Predicted {
     /// When the answer is known beforehand, only the certificate is left.
-    pub(super) fn nothing(scene: &Scene) -> Predicted {
+    pub(super) fn nothing(scene: &Scene, tolerance: f64) -> Predicted {
         let surfaces = scene.surfaces.len() as f64;
         Predicted {
             patches: surfaces,
             hemicubes: 0.0,
             elements: surfaces,
             rounds: 0.0,
-            seconds: CERTIFICATE,
+            seconds: certificate(tolerance),
         }
     }
 
@@ -68,7 +75,7 @@ impl Predicted {
             rounds: if bounces { rounds(survey, how.solver) } else { 0.0 },
             seconds: hemicubes * (5e-5 + 1.6e-7 * patches)
                 + 1e-5 * elements
-                + CERTIFICATE,
+                + certificate(tolerance),
         }
     }
 }

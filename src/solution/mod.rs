@@ -265,6 +265,7 @@ fn certified(room: &Room, field: &Field, goal: &Goal, work: &Work) -> Certificat
     let at = |id, x| [field.at(id, x, &front), field.at(id, x, &behind)];
     let judged = Judged { mesh: &field.mesh, irradiance: &at };
     let mut sampling = Sampling { seed: goal.seed, ..sampling_for(goal.tolerance) };
+    work.tell("certifying", 0, LOOKS);
     let mut certificate = audited(room, &judged, sampling).certificate;
     for look in 1..LOOKS {
         work.tell("certifying", look, LOOKS);

@@ -306,7 +306,8 @@ impl Sight {
         }
         let of = |(part, through): &(Outline, Vec<&Veil>)| {
             let share = |d: DVec3| radiance(d) * self.share(d, through);
-            integrated(x, n, part, &share, DEEPEST)
+            let seen: Outline = part.iter().map(|&v| towards(v - x, n)).collect();
+            integrated(n, &seen, &share, DEEPEST)
         };
         behind.iter().map(of).sum()
     }
@@ -336,27 +337,43 @@ const DEEPEST: u32 = 6;
 /// A share that varies less than this over a piece is taken as quadratic there.
 const EVEN: f64 = 2e-3;
 
-/// `1/π ∫ share cosθ dω` over a convex outline.
+/// The cosine of the angle between two corners of a piece over which nothing is taken as even:
+/// of a target a hair away all corners lie at the horizon, and all of the light does not.
+const WIDE: f64 = 0.5;
+
+/// A normal that lies so little outside a cone lies in it, in radians.
+const ROUNDING: f64 = 1e-9;
+
+/// `1/π ∫ share cosθ dω` over the convex cone between these unit directions. If it is wide and
+/// the normal lies in it, it is parted there.
 fn integrated(
-    x: DVec3,
     n: DVec3,
     outline: &[DVec3],
     share: &dyn Fn(DVec3) -> Rgb,
     depth: u32,
 ) -> Rgb {
-    let at = |p: DVec3| share((p - x).normalize_or_zero());
-    let middle = outline.iter().sum::<DVec3>() / outline.len() as f64;
-    let mean = outline.iter().map(|&v| at(v)).sum::<Rgb>() / outline.len() as f64;
-    let here = at(middle);
-    if depth == 0 || (here - mean).abs().max_element() <= EVEN {
-        let factor = projected_solid_angle(x, n, outline) / PI;
+    let corners = outline.len();
+    let next = |k: usize| outline[(k + 1) % corners];
+    let left = |k: usize| outline[k].cross(next(k)).dot(n);
+    let all = |side: f64| (0..corners).all(|k| side * left(k) > -ROUNDING);
+    let about = all(1.0) || all(-1.0);
+    let wide = (0..corners).any(|k| outline[k].dot(next(k)) < WIDE);
+    let middle = if wide && about { n } else { towards(outline.iter().sum(), n) };
+    let mean = outline.iter().map(|&v| share(v)).sum::<Rgb>() / corners as f64;
+    let here = share(middle);
+    if depth == 0 || !wide && (here - mean).abs().max_element() <= EVEN {
+        let factor = projected_solid_angle(DVec3::ZERO, n, outline) / PI;
         return factor * (0.75 * here + 0.25 * mean);
     }
+    let between = |a: DVec3, b: DVec3| towards(a + b, n);
     let corner = |k: usize| {
-        let n = outline.len();
-        let (before, a, after) =
-            (outline[(k + n - 1) % n], outline[k], outline[(k + 1) % n]);
-        [before.midpoint(a), a, a.midpoint(after), middle]
+        let (before, a) = (outline[(k + corners - 1) % corners], outline[k]);
+        [between(before, a), a, between(a, next(k)), middle]
     };
-    (0..outline.len()).map(|k| integrated(x, n, &corner(k), share, depth - 1)).sum()
+    (0..corners).map(|k| integrated(n, &corner(k), share, depth - 1)).sum()
+}
+
+/// The unit direction of `v`; the normal where it has none.
+fn towards(v: DVec3, n: DVec3) -> DVec3 {
+    v.try_normalize().unwrap_or(n)
 }

@@ -18,8 +18,8 @@ use radiosity::solve::Enclosure;
 use radiosity::visibility::Visibility;
 use radiosity::work::Work;
 
-/// So many runs each, and no more than 5 % of them may miss. (Where the true confidence
-/// were just 95 %, half of the tests would fail; the intervals are wider than that.)
+/// So many runs each, and no more than 5 % may miss. (Were the true confidence just 95 %,
+/// half of the tests would fail; the intervals are wider.)
 const RUNS: u64 = 100;
 const MAY_MISS: usize = 5;
 
@@ -255,19 +255,18 @@ fn who_stops_when_it_suffices_is_honest() {
     let fine = solved(&scene, 0.125);
     let (room, work) = (Room::of(&scene), Work::quiet());
     let first = Smooth.first(&room, 0.1);
+    let ask = |tolerance, seed| Goal { tolerance, seed, ..Goal::default() };
     let certified = |tolerance: f64, seed: u64| {
         let field = Smooth.field(&room, &first, &work);
-        let ask = Goal { tolerance, seed, ..Goal::default() };
-        Solution::of(&room, field, &ask, &work).certificate
+        Solution::of(&room, field, &ask(tolerance, seed), &work).certificate
     };
     let likely = certified(0.03, 100).error;
     let high = |seed| certified(1.1 * likely, seed).worst();
     let tolerance = (101..108).map(high).fold(f64::INFINITY, f64::min);
-    println!("{likely} likely, {tolerance} asked for");
     let (mut missed, mut broken, mut again) = (0, 0, 0);
     for seed in 0..14 {
-        let ask = Goal { tolerance, seed, ..Goal::default() };
-        let found = solve_from(&room, &Smooth, first, &ask, &work).unwrap();
+        let goal = ask(tolerance, seed);
+        let found = solve_from(&room, &Smooth, first, &goal, &work).unwrap();
         let (mesh, light) = (&found.field.mesh, &found.vertex_radiosity);
         let field = |id: ElementId, x| mesh.value_at(mesh.element(id), x, light);
         let truth = Truth::of(&scene, mesh, &fine).error(&field);
@@ -277,7 +276,6 @@ fn who_stops_when_it_suffices_is_honest() {
         broken += u32::from(truth > tolerance);
         again += u32::from(found.attempts.len() > 1);
     }
-    println!("{missed} missed, {broken} promises broken, {again} went on");
     assert!(missed <= 3 && broken <= 3, "{missed} missed, {broken} promises broken");
     assert!((2..=12).contains(&again), "{again} went on: not left to chance");
 }

@@ -230,7 +230,7 @@ impl Sight {
     /// `n`, times what the mirrors and panes leave: per channel, in `[0, 1]`.
     ///
     /// # Accuracy
-    /// Rounding; about 1e-4 of it where Fresnel's law weighs it.
+    /// Rounding; about 1e-4 of it where Fresnel's law weighs it, and to 2e-3 a hair away.
     pub fn factor(&self, x: DVec3, n: DVec3) -> Rgb {
         let Some(seen) = self.through_windows(x) else { return Rgb::ZERO };
         let blockers: SmallVec<[&Blocker; 8]> = self.blockers.iter().collect();
@@ -341,8 +341,8 @@ const EVEN: f64 = 2e-3;
 /// of a target a hair away all corners lie at the horizon, and all of the light does not.
 const WIDE: f64 = 0.5;
 
-/// A normal that lies so little outside a cone lies in it, in radians.
-const ROUNDING: f64 = 1e-9;
+/// A normal lies in a cone if it is so far inside, in radians; its corner is not.
+const INSIDE: f64 = 1e-9;
 
 /// `1/π ∫ share cosθ dω` over the convex cone between these unit directions. If it is wide and
 /// the normal lies in it, it is parted there.
@@ -355,7 +355,7 @@ fn integrated(
     let corners = outline.len();
     let next = |k: usize| outline[(k + 1) % corners];
     let left = |k: usize| outline[k].cross(next(k)).dot(n);
-    let all = |side: f64| (0..corners).all(|k| side * left(k) > -ROUNDING);
+    let all = |side: f64| (0..corners).all(|k| side * left(k) > INSIDE);
     let about = all(1.0) || all(-1.0);
     let wide = (0..corners).any(|k| outline[k].dot(next(k)) < WIDE);
     let middle = if wide && about { n } else { towards(outline.iter().sum(), n) };

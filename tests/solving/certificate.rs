@@ -20,8 +20,8 @@ use radiosity::work::Work;
 
 /// So many runs each, and no more than 5 % may miss. (Were the true confidence just 95 %,
 /// half of the tests would fail; the intervals are wider.)
-const RUNS: u64 = 100;
-const MAY_MISS: usize = 5;
+const RUNS: u64 = 200;
+const MAY_MISS: usize = 10;
 
 /// Little work, so that many runs can be made of it: wide intervals, coarse strata.
 const LITTLE: Sampling = Sampling { points: 160, rays: 12, unseen: 0.1, seed: 0 };
@@ -247,8 +247,8 @@ fn a_wrong_field_is_not_certified() {
 
 /// To stop at the first interval that suits is to choose among intervals, and of chosen
 /// ones fewer hold than 95 of 100. The tolerance is what the first attempt is certified to
-/// by the luckiest of seven other seeds: chance decides who goes on. Of 14 intervals that miss with
-/// 1 in 20 each, more than 3 miss with a chance of 0.4 %.
+/// by the luckiest of seven seeds: chance decides who goes on. Of 28 intervals that miss
+/// with 1 in 20 each, more than 5 miss with a chance of 0.2 %.
 #[test]
 fn who_stops_when_it_suffices_is_honest() {
     let scene = lit_cube(0.5);
@@ -264,7 +264,7 @@ fn who_stops_when_it_suffices_is_honest() {
     let high = |seed| certified(1.1 * likely, seed).worst();
     let tolerance = (101..108).map(high).fold(f64::INFINITY, f64::min);
     let (mut missed, mut broken, mut again) = (0, 0, 0);
-    for seed in 0..14 {
+    for seed in 0..28 {
         let goal = ask(tolerance, seed);
         let found = solve_from(&room, &Smooth, first, &goal, &work).unwrap();
         let (mesh, light) = (&found.field.mesh, &found.vertex_radiosity);
@@ -276,8 +276,8 @@ fn who_stops_when_it_suffices_is_honest() {
         broken += u32::from(truth > tolerance);
         again += u32::from(found.attempts.len() > 1);
     }
-    assert!(missed <= 3 && broken <= 3, "{missed} missed, {broken} promises broken");
-    assert!((2..=12).contains(&again), "{again} went on: not left to chance");
+    assert!(missed <= 5 && broken <= 5, "{missed} missed, {broken} promises broken");
+    assert!((4..=24).contains(&again), "{again} went on: not left to chance");
 }
 
 /// A field that is right but for one element: both maps show which.

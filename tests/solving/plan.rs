@@ -213,7 +213,6 @@ fn predicted_work_is_within_a_factor_two() {
             ];
             for (what, spent, predicted) in spent {
                 let spent = spent as f64;
-                println!("{} {tolerance} {what} {:.2}", scene.name, predicted / spent);
                 assert!(
                     predicted <= 2.0 * spent && spent <= 2.0 * predicted,
                     "{} at {tolerance}: {predicted} {what} predicted, {spent} spent",
